@@ -1,0 +1,109 @@
+//! Transcendental functions with the same bits on every machine.
+//!
+//! IEEE 754 fixes `+ − × ÷ sqrt` to the last bit, but not `sin`, `cos`, `powf` and their kin: the standard library
+//! hands those to the platform. These come from the crate `libm`, which is plain Rust and so the same everywhere.
+//! The lint `clippy::disallowed_methods` keeps the others out (see `clippy.toml`).
+
+/// Sine of an angle in radians.
+#[must_use]
+pub fn sin(radians: f32) -> f32 {
+    libm::sinf(radians)
+}
+
+/// Cosine of an angle in radians.
+#[must_use]
+pub fn cos(radians: f32) -> f32 {
+    libm::cosf(radians)
+}
+
+/// Tangent of an angle in radians.
+#[must_use]
+pub fn tan(radians: f32) -> f32 {
+    libm::tanf(radians)
+}
+
+/// The angle in radians, in `[0, π]`, whose cosine is `x`; NaN outside `[-1, 1]`.
+#[must_use]
+pub fn acos(x: f32) -> f32 {
+    libm::acosf(x)
+}
+
+/// The angle in radians, in `(-π, π]`, of the point (`x`, `y`).
+#[must_use]
+pub fn atan2(y: f32, x: f32) -> f32 {
+    libm::atan2f(y, x)
+}
+
+/// `base` to the power of `exponent`.
+#[must_use]
+pub fn pow(base: f32, exponent: f32) -> f32 {
+    libm::powf(base, exponent)
+}
+
+/// e to the power of `x`.
+#[must_use]
+pub fn exp(x: f32) -> f32 {
+    libm::expf(x)
+}
+
+/// Natural logarithm of `x`.
+#[must_use]
+pub fn ln(x: f32) -> f32 {
+    libm::logf(x)
+}
+
+/// 2 to the power of `x`.
+#[must_use]
+pub fn exp2(x: f32) -> f32 {
+    libm::exp2f(x)
+}
+
+/// Cube root of `x`, of either sign.
+#[must_use]
+pub fn cbrt(x: f32) -> f32 {
+    libm::cbrtf(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The hexadecimal bits were computed once on x86-64; any machine that disagrees breaks the snapshots.
+    #[test]
+    fn bits_are_pinned() {
+        let x = 0.7_f32;
+        let bits = [sin(x), cos(x), tan(x), acos(x), atan2(x, -2.0), pow(x, 2.2), exp(x), ln(x), exp2(x), cbrt(x)]
+            .map(f32::to_bits);
+        assert_eq!(
+            bits,
+            [
+                0x3f24_eb73,
+                0x3f43_ccb3,
+                0x3f57_a02c,
+                0x3f4b_999f,
+                0x4033_a3eb,
+                0x3ee9_a1d7,
+                0x4000_e152,
+                0xbeb6_9e70,
+                0x3fcf_f300,
+                0x3f63_4d52
+            ],
+            "{bits:#x?}"
+        );
+    }
+
+    #[test]
+    #[allow(clippy::disallowed_methods, reason = "the platform's functions are the second opinion here")]
+    fn agrees_with_the_platform() {
+        for i in -100..=100_i16 {
+            let x = f32::from(i) / 13.0;
+            let pairs = [(sin(x), x.sin()), (cos(x), x.cos()), (exp(x), x.exp()), (cbrt(x), x.cbrt())];
+            for (ours, theirs) in pairs {
+                assert!(
+                    (ours - theirs).abs() <= 2.0 * f32::EPSILON * theirs.abs().max(1.0),
+                    "x = {x}: {ours} {theirs}"
+                );
+            }
+        }
+    }
+}

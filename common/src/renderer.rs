@@ -1,0 +1,215 @@
+//! The renderer: fills a film with samples, tile by tile, over all cores.
+
+use glam::Vec2;
+
+use crate::{
+    color::Rgb,
+    film::{Film, Size, Tile},
+    picture::{FilmPoint, Render},
+    random::Stream,
+    story::Told,
+};
+
+/// What is to be rendered, besides the picture itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plan {
+    /// Samples per pixel in the end, at least 1.
+    pub samples: u32,
+    /// Seed of all random numbers.
+    pub seed: u64,
+    /// Number of threads; 0 for as many as there are cores.
+    pub threads: usize,
+}
+
+/// Somebody who watches a rendering and may end it.
+pub trait Watch: Sync {
+    /// A tile has received `samples` more samples per pixel.
+    fn tile_done(&self, _tile: &Tile, _samples: u32) {}
+
+    /// A pass over the whole film is done; every pixel now has `samples` samples.
+    fn pass_done(&self, _film: &Film, _samples: u32) {}
+
+    /// Asked before each tile: whether to stop.
+    fn is_cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// Nobody watches.
+impl Watch for () {}
+
+/// How a rendering ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// Every pixel has all its samples.
+    Finished,
+    /// The watcher ended it; the film is whole but not every pixel has all samples.
+    Cancelled,
+}
+
+/// Add samples to `film` until every pixel has `plan.samples`, in passes of growing size, so that a first rough
+/// picture is there soon. Samples that the film already has are kept.
+///
+/// The result depends on the picture, the size, the samples and the seed; not on the threads.
+pub fn render(picture: &dyn Render, film: &mut Film, plan: &Plan, watch: &dyn Watch) -> Ending {
+    // Threads that cannot be had are no reason to fail: the calling thread works alone then.
+    #[cfg(feature = "threads")]
+    if let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(plan.threads).build() {
+        return pool.install(|| passes(picture, film, plan, watch));
+    }
+    passes(picture, film, plan, watch)
+}
+
+/// Pass after pass over the whole film.
+fn passes(picture: &dyn Render, film: &mut Film, plan: &Plan, watch: &dyn Watch) -> Ending {
+    const LARGEST_PASS: u32 = 16;
+    let mut done = film.tiles().iter().flat_map(|t| &t.pixels).map(|p| p.count()).min().unwrap_or(0);
+    while done < plan.samples {
+        let pass = done.clamp(1, LARGEST_PASS).min(plan.samples - done);
+        done += pass;
+        let size = film.size();
+        let fill = |tile: &mut Tile| {
+            if !watch.is_cancelled() {
+                fill_tile(picture, tile, size, plan, done);
+                watch.tile_done(tile, pass);
+            }
+        };
+        #[cfg(feature = "threads")]
+        {
+            use rayon::prelude::*;
+            film.tiles_mut().par_iter_mut().with_max_len(1).for_each(fill);
+        }
+        #[cfg(not(feature = "threads"))]
+        film.tiles_mut().iter_mut().for_each(fill);
+        if watch.is_cancelled() {
+            return Ending::Cancelled;
+        }
+        watch.pass_done(film, done);
+    }
+    Ending::Finished
+}
+
+/// Add samples to the pixels of one tile until each has `until`.
+fn fill_tile(picture: &dyn Render, tile: &mut Tile, size: Size, plan: &Plan, until: u32) {
+    for (x, y, pixel) in tile.pixels_mut() {
+        for sample in pixel.count()..until {
+            let (point, mut random) = film_point((x, y), size, plan, sample);
+            pixel.add(picture.sample(point, &mut random));
+        }
+    }
+}
+
+/// Where on the film a sample lies, and the stream of its further random numbers.
+///
+/// A lone sample lies in the pixel's centre. Several lie anywhere in the pixel with equal probability, so that their
+/// mean is the mean over the pixel's area: a box filter.
+fn film_point((x, y): (u32, u32), size: Size, plan: &Plan, sample: u32) -> (FilmPoint, Stream) {
+    let pixel = u64::from(y) * u64::from(size.width()) + u64::from(x);
+    let mut random = Stream::new(plan.seed, pixel, u64::from(sample));
+    let offset = if plan.samples == 1 { Vec2::splat(0.5) } else { Vec2::new(random.uniform(), random.uniform()) };
+    #[expect(clippy::cast_precision_loss, reason = "at most 65,535, exact in f32")]
+    let [corner, size] = [(x, y), (size.width(), size.height())].map(|(x, y)| Vec2::new(x as f32, y as f32));
+    (FilmPoint { position: corner + offset, size }, random)
+}
+
+/// One sample of one pixel with its story, the same to the last bit as in the picture.
+#[must_use]
+pub fn explain(picture: &dyn Render, pixel: (u32, u32), size: Size, plan: &Plan, sample: u32) -> (Rgb, Told) {
+    let mut story = Told::default();
+    let (point, mut random) = film_point(pixel, size, plan, sample);
+    let color = picture.explain(point, &mut random, &mut story);
+    (color, story)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicU32, Ordering};
+
+    use super::*;
+    use crate::{picture::Integrator, story::Story};
+
+    /// Radiance that depends on place and chance, and tells what it did.
+    struct Noise;
+
+    impl Integrator for Noise {
+        fn radiance(&self, point: FilmPoint, random: &mut Stream, story: &mut impl Story) -> Rgb {
+            let color = Rgb::new(point.ndc().x, point.ndc().y, random.uniform());
+            story.tell(|| format!("{color}"));
+            color
+        }
+    }
+
+    const SIZE: Size = Size::of::<50, 37>();
+    const PLAN: Plan = Plan { samples: 20, seed: 3, threads: 2 };
+
+    fn rendered(plan: &Plan) -> Vec<Rgb> {
+        let mut film = Film::new(SIZE);
+        assert_eq!(render(&Noise, &mut film, plan, &()), Ending::Finished);
+        assert!(film.tiles().iter().flat_map(|t| &t.pixels).all(|p| p.count() == plan.samples));
+        film.linear()
+    }
+
+    #[test]
+    fn threads_do_not_change_the_picture() {
+        let one = rendered(&Plan { threads: 1, ..PLAN });
+        for threads in [2, 7] {
+            assert_eq!(rendered(&Plan { threads, ..PLAN }), one);
+        }
+        assert_ne!(rendered(&Plan { seed: 4, ..PLAN }), one);
+    }
+
+    #[test]
+    fn going_on_equals_going_through() {
+        let mut film = Film::new(SIZE);
+        for samples in [3, 20] {
+            render(&Noise, &mut film, &Plan { samples, ..PLAN }, &());
+        }
+        assert_eq!(film.linear(), rendered(&PLAN));
+    }
+
+    #[test]
+    fn one_sample_is_in_the_centre_and_many_average_to_it() {
+        let one = rendered(&Plan { samples: 1, ..PLAN });
+        assert_eq!(one[0].truncate(), Vec2::new(1.0 / 50.0 - 1.0, 1.0 - 1.0 / 37.0));
+        let many = rendered(&Plan { samples: 400, ..PLAN });
+        let distance = |v: Vec2| (v * Vec2::new(50.0, 37.0) / 2.0).abs().max_element();
+        // Uniform over one pixel: standard deviation √(1/12); 400 samples, 3700 numbers, five sigma.
+        let worst = one.iter().zip(&many).map(|(a, b)| distance(a.truncate() - b.truncate())).fold(0.0, f32::max);
+        assert!(worst < 5.0 * (1.0 / 12.0_f32 / 400.0).sqrt(), "{worst}");
+    }
+
+    #[test]
+    fn the_story_ends_in_the_colour_of_the_picture() {
+        let plan = Plan { samples: 1, ..PLAN };
+        let (color, story) = explain(&Noise, (5, 9), SIZE, &plan, 0);
+        assert_eq!(color, rendered(&plan)[9 * 50 + 5]);
+        assert_eq!(story.to_string(), format!("{color}\n"));
+    }
+
+    #[test]
+    fn the_watcher_sees_every_tile_and_can_cancel() {
+        #[derive(Default)]
+        struct Counter {
+            tiles: AtomicU32,
+            passes: AtomicU32,
+            stop_after: u32,
+        }
+        impl Watch for Counter {
+            fn tile_done(&self, _tile: &Tile, _samples: u32) {
+                self.tiles.fetch_add(1, Ordering::Relaxed);
+            }
+            fn pass_done(&self, _film: &Film, _samples: u32) {
+                self.passes.fetch_add(1, Ordering::Relaxed);
+            }
+            fn is_cancelled(&self) -> bool {
+                self.passes.load(Ordering::Relaxed) >= self.stop_after
+            }
+        }
+        let watch = Counter { stop_after: 3, ..Counter::default() };
+        let mut film = Film::new(SIZE);
+        assert_eq!(render(&Noise, &mut film, &PLAN, &watch), Ending::Cancelled);
+        // Passes of 1, 1 and 2 samples, twelve tiles each.
+        assert_eq!((watch.passes.into_inner(), watch.tiles.into_inner()), (3, 36));
+        assert_eq!(film.pixel(0, 0).map(|p| p.count()), Some(4));
+    }
+}

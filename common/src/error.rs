@@ -17,9 +17,9 @@ pub enum Error {
         /// What would be right.
         range: String,
     },
-    /// A picture that shows a mesh file was asked for without one, or the other way round.
-    #[error("{0}")]
-    Mesh(String),
+    /// The picture cannot be made of what it was given.
+    #[error("the picture cannot be made: {0}")]
+    Picture(String),
     /// A mesh file could not be used.
     #[error("{file}: {error}")]
     Obj {

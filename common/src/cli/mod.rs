@@ -64,7 +64,7 @@ fn perform(chapter: &Chapter, request: &Request) -> Result<(), Error> {
     let target = Target::prepare(chapter, request)?;
     #[cfg(feature = "window")]
     if request.window {
-        match crate::window::show(chapter, request, &target) {
+        match crate::window::show(chapter, request, picture.as_ref()) {
             Ok(()) => return Ok(()),
             Err(crate::window::Failed::Picture(error)) => return Err(error),
             Err(crate::window::Failed::NoDisplay) => {
@@ -138,7 +138,8 @@ pub(crate) enum Target {
 }
 
 impl Target {
-    fn prepare(chapter: &Chapter, request: &Request) -> Result<Self, Error> {
+    /// The place that the request asks for.
+    pub(crate) fn prepare(chapter: &Chapter, request: &Request) -> Result<Self, Error> {
         let path = match &request.output {
             Output::Stdout => return Ok(Self::Stdout),
             Output::File(path) => path.clone(),

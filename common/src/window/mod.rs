@@ -1,9 +1,32 @@
-//! The window.
+//! The window: a picture refines while it is watched, its knobs are on keys, its camera is on the mouse.
+//!
+//! Two threads share the work. The one that opened the window polls keys and mouse, draws, and never waits; the
+//! [`worker`] renders and saves. Orders go to the worker through a [`mailbox`]; what is to be seen comes back in
+//! [`shown`].
 
+mod controls;
+#[cfg(test)]
+mod fixture;
+mod keys;
+mod mailbox;
+mod mouse;
+mod overlay;
+mod raster;
+mod resize;
+mod session;
+mod shown;
+mod watcher;
+mod worker;
+
+use std::{sync::Mutex, thread};
+
+use minifb::{ScaleMode, Window, WindowOptions};
+
+use self::{mailbox::Mailbox, raster::Raster, session::Session, shown::Shown, worker::Worker};
 use crate::{
-    cli::{Request, Target},
+    cli::Request,
     error::Error,
-    picture::Chapter,
+    picture::{Chapter, Render},
 };
 
 /// Why no picture was shown.
@@ -14,7 +37,26 @@ pub(crate) enum Failed {
     Picture(Error),
 }
 
-/// Show the picture.
-pub(crate) fn show(_chapter: &Chapter, _request: &Request, _target: &Target) -> Result<(), Failed> {
-    Err(Failed::NoDisplay)
+/// Show the picture that the request asks for, already made, until the window is closed; it is saved then.
+pub(crate) fn show(chapter: &Chapter, request: &Request, picture: &dyn Render) -> Result<(), Failed> {
+    let shown = Shown::new(request.size, request.plan.samples);
+    let (width, height) = resize::opening(Raster::of(request.size).size());
+    let options = WindowOptions { resize: true, scale_mode: ScaleMode::UpperLeft, ..Default::default() };
+    let title = shown.title(chapter.title, request.picture.name);
+    let window = Window::new(&title, width, height, options).map_err(|_| Failed::NoDisplay)?;
+
+    let (mailbox, shown) = (Mailbox::default(), Mutex::new(shown));
+    let ended = thread::scope(|scope| {
+        let closing = mailbox.closing();
+        let worker = scope.spawn(|| Worker::new(chapter, request, picture, &mailbox, &shown).run());
+        Session::new(chapter, request, window, &mailbox, &shown).run(|| worker.is_finished());
+        // The window is gone by now; the worker still saves.
+        drop(closing);
+        worker.join()
+    });
+    match ended {
+        Ok(saved) => saved.map_err(Failed::Picture),
+        // A picture that panics does so here as it would without a window.
+        Err(panic) => std::panic::resume_unwind(panic),
+    }
 }

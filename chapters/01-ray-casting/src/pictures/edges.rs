@@ -1,0 +1,53 @@
+//! The plane of a triangle, coloured by what its edges say.
+
+use common::{
+    Error, Rgb, Stream, Vec3,
+    color::srgb,
+    film::Size,
+    picture::{FilmPoint, Integrator, Picture, Render, Settings},
+    story::{Story, number},
+};
+
+use crate::{ray::Ray, triangle::Triangle};
+
+pub(super) const PICTURE: Picture = Picture {
+    name: "edges",
+    alt: "A plane cut by three straight lines, the edges of a triangle, into seven parts. Each line adds its own \
+          colour, red, green or blue, on its left side. Only in the triangle in the middle do all three meet, to \
+          nearly white.",
+    knobs: &[],
+    size: Size::of::<960, 480>(),
+    samples: 16,
+    takes_mesh: false,
+    make,
+};
+
+fn make(_settings: &Settings) -> Result<Box<dyn Render>, Error> {
+    let triangle = Triangle::new(Vec3::new(-0.75, -0.5, 0.0), Vec3::new(0.8, -0.35, 0.0), Vec3::new(-0.05, 0.62, 0.0));
+    Ok(Box::new(Edges { triangle }))
+}
+
+/// Asks each edge of a triangle on its own.
+struct Edges {
+    triangle: Triangle,
+}
+
+impl Integrator for Edges {
+    fn radiance(&self, point: FilmPoint, _random: &mut Stream, story: &mut impl Story) -> Rgb {
+        let ndc = point.ndc();
+        let ray = Ray::new(Vec3::new(ndc.x * point.aspect(), ndc.y, 1.0), -Vec3::Z);
+        let [r1, r2, r3] = self.triangle.corners;
+        let n = self.triangle.normal();
+        let p = ray.at((r1 - ray.origin).dot(n) / ray.direction.dot(n));
+        let colors = [srgb(150, 52, 44), srgb(60, 128, 66), srgb(52, 84, 160)];
+        let mut color = Rgb::splat(0.012);
+        for ((from, to), own) in [(r1, r2), (r2, r3), (r3, r1)].into_iter().zip(colors) {
+            let turn = (to - from).cross(p - from).dot(n);
+            story.tell(|| format!("((to − from) × (p − from)) · n = {}", number(turn)));
+            if turn >= 0.0 {
+                color += own;
+            }
+        }
+        color
+    }
+}

@@ -1,0 +1,56 @@
+//! Any mesh, framed automatically.
+
+use common::{
+    Error, Rgb, Vec3,
+    color::srgb,
+    film::Size,
+    knob::Knob,
+    picture::{ORBIT, Picture, Render, Settings},
+};
+
+use super::stage::{camera_error, pawn};
+use crate::{
+    camera::Camera,
+    light::DirectionalLight,
+    local_illumination::{LocalIllumination, Terms},
+    material::Phong,
+    mesh::{Mesh, Shading},
+    scene::Scene,
+};
+
+const SHADING: Knob = Knob::choice("shading", "which normals the triangles are shaded with", &["smooth", "flat"], 0);
+
+pub(super) const PICTURE: Picture = Picture {
+    name: "mesh",
+    alt: "A chess pawn made of triangles, alone before a dark background, or any other mesh that is named with --mesh \
+          FILE, framed so that all of it is seen.",
+    knobs: &[SHADING, ORBIT[0], ORBIT[1], ORBIT[2]],
+    size: Size::of::<640, 480>(),
+    samples: 4,
+    takes_mesh: true,
+    make,
+};
+
+fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
+    let shading = [Shading::Smooth, Shading::Flat][settings.values.index(&SHADING).min(1)];
+    let mesh = match &settings.mesh {
+        Some(obj) => Mesh::new(obj, shading)?,
+        None => Mesh::new(&pawn()?, shading)?,
+    };
+    // Stand back until the sphere around the mesh fills the field of view. A mesh in one point gets a radius too.
+    const FIELD_OF_VIEW: f32 = 30.0;
+    let bounds = mesh.bounds();
+    let radius = (bounds.diagonal() / 2.0).max(bounds.center().abs().max_element() * 1e-6).max(1e-30);
+    let distance = 0.95 * radius / common::float::sin((FIELD_OF_VIEW / 2.0).to_radians());
+    let toward = Vec3::new(0.5, 0.35, 1.0).normalize();
+    let eye = bounds.center() + toward * distance;
+    let camera = Camera::orbited(eye, bounds.center(), FIELD_OF_VIEW, &settings.values).map_err(camera_error)?;
+
+    let mut scene = Scene::new();
+    scene.ambient = Rgb::splat(0.10);
+    scene.background = srgb(34, 38, 46);
+    scene.light(DirectionalLight::new(Vec3::new(0.9, 0.9, 1.0), Rgb::new(0.95, 0.86, 0.72)));
+    scene.light(DirectionalLight::new(Vec3::new(-1.0, 0.3, -0.25), Rgb::new(0.34, 0.42, 0.6)));
+    scene.add("mesh", mesh, Phong::of(srgb(214, 196, 164), 0.35, 40.0));
+    Ok(Box::new(LocalIllumination { scene, camera, terms: Terms::ALL }))
+}

@@ -1,0 +1,79 @@
+//! What several pictures share: a dark stage without a visible horizon, its lights, and the eye in front of it.
+
+use common::{
+    Error, Rgb, Vec3,
+    color::srgb,
+    knob::Values,
+    obj::{ObjMesh, parse},
+};
+
+use crate::{
+    camera::{Camera, CameraError},
+    light::{DirectionalLight, PointLight},
+    material::Phong,
+    mesh::{Mesh, Shading},
+    scene::Scene,
+};
+
+/// The sun of the stage: low, from the left and behind, a little cool.
+pub(super) fn sun() -> DirectionalLight {
+    DirectionalLight::new(Vec3::new(-0.85, 0.42, -0.32), Rgb::new(0.62, 0.72, 0.95))
+}
+
+/// The lamp of the stage: near, warm, from the right and in front.
+pub(super) fn lamp() -> PointLight {
+    PointLight { position: Vec3::new(2.6, 4.2, 3.4), intensity: Rgb::new(21.0, 18.0, 14.0) }
+}
+
+/// A stage with a floor that fades into the background.
+pub(super) fn stage() -> Result<Scene<Phong>, Error> {
+    let mut scene = Scene::new();
+    scene.ambient = Rgb::new(0.10, 0.12, 0.16);
+    let floor = Phong { specular: Rgb::ZERO, ..Phong::of(srgb(104, 112, 128), 0.0, 1.0) };
+    // Far from the lamp the floor shows the ambient light and the sun. The background is the same.
+    let sunlight = crate::light::Light::illuminate(&sun(), Vec3::ZERO);
+    scene.background =
+        floor.ambient * scene.ambient + sunlight.strength * floor.diffuse_term(sunlight.direction, Vec3::Y);
+    scene.light(sun()).light(lamp());
+    scene.add("floor", square(0.0, 400.0)?, floor);
+    Ok(scene)
+}
+
+/// A horizontal square around the y axis at height `y`, with sides of twice `half` scene units.
+pub(super) fn square(y: f32, half: f32) -> Result<Mesh, Error> {
+    let corner = |x: f32, z: f32| Vec3::new(x * half, y, z * half);
+    let obj = ObjMesh {
+        positions: vec![corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)],
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        ..ObjMesh::default()
+    };
+    Mesh::new(&obj, Shading::Flat)
+}
+
+/// The crystals of `assets/gem.obj`, 1 unit high, scaled and put at `place`.
+pub(super) fn crystals(place: Vec3, scale: f32) -> Result<Mesh, Error> {
+    let mut obj = asset("assets/gem.obj", include_bytes!("../../../../assets/gem.obj"))?;
+    for position in &mut obj.positions {
+        *position = *position * scale + place;
+    }
+    Mesh::new(&obj, Shading::Flat)
+}
+
+/// The pawn of `assets/pawn.obj`: 2 units high.
+pub(super) fn pawn() -> Result<ObjMesh, Error> {
+    asset("assets/pawn.obj", include_bytes!("../../../../assets/pawn.obj"))
+}
+
+fn asset(file: &str, bytes: &[u8]) -> Result<ObjMesh, Error> {
+    parse(bytes).map_err(|error| Error::Obj { file: file.into(), error })
+}
+
+/// A camera that the orbit knobs move.
+pub(super) fn camera(eye: [f32; 3], lookat: [f32; 3], field_of_view: f32, values: &Values) -> Result<Camera, Error> {
+    Camera::orbited(Vec3::from_array(eye), Vec3::from_array(lookat), field_of_view, values).map_err(camera_error)
+}
+
+/// A camera that cannot be made, as an error of the picture.
+pub(super) fn camera_error(error: CameraError) -> Error {
+    Error::Picture(error.to_string())
+}

@@ -1,0 +1,43 @@
+//! The triangle, and where on it a point lies.
+
+use common::{Interval, Vec3};
+
+use crate::{hit::Hit, ray::Ray, shape::Shape, triangle_barycentric::Shear};
+
+/// Three corners, counter-clockwise when seen from outside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle {
+    /// The corners `r1`, `r2`, `r3`, in scene units.
+    pub corners: [Vec3; 3],
+}
+
+/// Where a ray meets a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TriangleHit {
+    /// Ray parameter.
+    pub t: f32,
+    /// Barycentric coordinates α, β, γ of the point: none negative, together 1.
+    pub weights: [f32; 3],
+}
+
+impl Triangle {
+    /// A triangle from its corners, counter-clockwise when seen from outside.
+    #[must_use]
+    pub fn new(r1: Vec3, r2: Vec3, r3: Vec3) -> Self {
+        Self { corners: [r1, r2, r3] }
+    }
+
+    /// The vector at right angles to the triangle, `(r2 − r1) × (r3 − r1)`; its length is twice the area.
+    #[must_use]
+    pub fn normal(&self) -> Vec3 {
+        let [r1, r2, r3] = self.corners;
+        (r2 - r1).cross(r3 - r1)
+    }
+}
+
+impl Shape for Triangle {
+    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
+        let hit = self.hit_by_barycentric(&Shear::along(ray), range)?;
+        Some(Hit::new(ray, hit.t, self.normal()))
+    }
+}

@@ -1,0 +1,259 @@
+//! The worker: renders in the background whatever the window orders.
+
+use std::{
+    sync::{
+        Mutex,
+        atomic::{AtomicBool, Ordering},
+    },
+    time::Instant,
+};
+
+use super::{
+    mailbox::{Mailbox, Progress, View, lock},
+    overlay::{GREEN, Line, RED},
+    shown::Shown,
+    watcher::{Abandonable, Watcher},
+};
+use crate::{
+    cli::{Request, Target, say},
+    error::Error,
+    film::Film,
+    float,
+    picture::{Chapter, Render},
+    renderer::{self, Ending},
+};
+
+/// Renders one view after the other, and saves them.
+pub(crate) struct Worker<'a> {
+    chapter: &'a Chapter,
+    first: &'a dyn Render,
+    made: Option<Box<dyn Render>>,
+    request: Request,
+    film: Film,
+    progress: Progress,
+    /// Whether a first pass takes so long that something rougher should come before it.
+    slow: AtomicBool,
+    /// Whether the film is in a file as it is.
+    saved: bool,
+    mailbox: &'a Mailbox,
+    shown: &'a Mutex<Shown>,
+}
+
+impl<'a> Worker<'a> {
+    /// A worker that begins with the picture of the command line, already made.
+    pub(crate) fn new(
+        chapter: &'a Chapter,
+        request: &Request,
+        first: &'a dyn Render,
+        mailbox: &'a Mailbox,
+        shown: &'a Mutex<Shown>,
+    ) -> Self {
+        Self {
+            chapter,
+            first,
+            made: None,
+            request: request.clone(),
+            film: Film::new(request.size),
+            progress: Progress::default(),
+            slow: AtomicBool::new(true),
+            saved: false,
+            mailbox,
+            shown,
+        }
+    }
+
+    /// Work until the order to quit. The error is that of the last saving.
+    pub(crate) fn run(mut self) -> Result<(), Error> {
+        loop {
+            let ending = self.render();
+            let orders = self.mailbox.take();
+            if let Some(view) = orders.view {
+                self.change(view);
+                // Whatever else was asked for is about the new view.
+                if orders.save || orders.quit {
+                    self.mailbox.post(|again| (again.save, again.quit) = (orders.save, orders.quit));
+                }
+                continue;
+            }
+            if orders.quit {
+                if !self.progress.whole.load(Ordering::Relaxed) {
+                    say("warning: not every pixel had a sample yet; those without are black");
+                }
+                return if self.saved { Ok(()) } else { self.save().map(drop) };
+            }
+            if orders.save {
+                let result = self.save();
+                self.saved = result.is_ok() && ending == Ending::Finished;
+                lock(self.shown).message = Some(match result {
+                    Ok(text) => Line::new(text, GREEN),
+                    Err(error) => {
+                        say(&format!("error: {error}"));
+                        Line::new(error.to_string(), RED)
+                    }
+                });
+            }
+        }
+    }
+
+    /// Make another picture, or the same one with other values or in another size.
+    fn change(&mut self, view: View) {
+        let Request { picture, settings, .. } = &mut self.request;
+        if view.picture.name != picture.name || view.values != settings.values {
+            let old = std::mem::replace(&mut settings.values, view.values);
+            match (view.picture.make)(settings) {
+                Ok(made) => {
+                    self.made = Some(made);
+                    *picture = view.picture;
+                    self.request.plan.samples = view.samples;
+                }
+                Err(error) => {
+                    settings.values = old;
+                    let text = format!("{error} (the last picture that could be made stays)");
+                    lock(self.shown).message = Some(Line::new(text, RED));
+                }
+            }
+        }
+        self.request.size = view.size;
+        self.film = Film::new(view.size);
+        self.progress = Progress::default();
+        self.saved = false;
+        lock(self.shown).restart(view.size, self.request.plan.samples);
+    }
+
+    /// Render until all samples are there or an order wants to be done.
+    fn render(&mut self) -> Ending {
+        let picture = self.made.as_deref().unwrap_or(self.first);
+        let Self { mailbox, shown, request: Request { plan, exposure, .. }, progress, slow, .. } = self;
+        let watcher = Watcher { mailbox, shown, progress, slow, gain: float::exp2(*exposure), start: Instant::now() };
+        let picture = Abandonable { picture, watcher: &watcher };
+        if slow.load(Ordering::Relaxed) && !progress.rough.load(Ordering::Relaxed) {
+            watcher.sketch(&picture, &self.film, plan);
+        }
+        renderer::render(&picture, &mut self.film, plan, &watcher)
+    }
+
+    /// Save the film as it is; says where it is now.
+    fn save(&self) -> Result<String, Error> {
+        let target = Target::prepare(self.chapter, &self.request)?;
+        target.save(&self.film, &self.request, None)?;
+        Ok(match target {
+            Target::File(path, _) => format!("saved as {}", path.display()),
+            Target::Stdout => "written to standard output".into(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{path::PathBuf, time::Duration};
+
+    use super::*;
+    use crate::{
+        color::Rgb,
+        film::Size,
+        knob::Values,
+        window::fixture::{CHAPTER, request_to},
+        window::raster::screen,
+    };
+
+    /// A file in a folder of its own.
+    fn file(name: &str) -> PathBuf {
+        std::env::temp_dir().join(format!("course-window-{}-{name}", std::process::id())).join("picture.png")
+    }
+
+    /// Let a worker work while `user` gives orders; the saved picture, and what was shown.
+    fn saved(name: &str, user: impl FnOnce(&Mailbox, &Mutex<Shown>)) -> (image::RgbImage, Shown) {
+        let file = file(name);
+        let request = request_to(&file);
+        let (mailbox, shown) = (Mailbox::default(), Mutex::new(Shown::new(request.size, request.plan.samples)));
+        let first = (request.picture.make)(&request.settings).unwrap();
+        std::thread::scope(|scope| {
+            let worker = scope.spawn(|| Worker::new(&CHAPTER, &request, first.as_ref(), &mailbox, &shown).run());
+            let closing = mailbox.closing();
+            user(&mailbox, &shown);
+            drop(closing);
+            assert_eq!(worker.join().unwrap(), Ok(()));
+        });
+        let picture = image::open(&file).unwrap().into_rgb8();
+        std::fs::remove_dir_all(file.parent().unwrap()).unwrap();
+        (picture, shown.into_inner().unwrap())
+    }
+
+    /// A view of a picture of the fixture with one knob set.
+    fn view(index: usize, knob: Option<(&str, f32)>, size: Size) -> View {
+        let picture = &CHAPTER.pictures[index];
+        let mut values = Values::default();
+        if let Some(knob_value) = knob {
+            values.set(picture.knobs.iter().find(|k| k.name == knob_value.0).unwrap(), knob_value.1);
+        }
+        View { picture, values, size, samples: picture.samples }
+    }
+
+    /// Wait until something was shown.
+    fn wait(shown: &Mutex<Shown>, condition: impl Fn(&Shown) -> bool) {
+        let start = Instant::now();
+        while !condition(&lock(shown)) {
+            assert!(start.elapsed() < Duration::from_secs(20), "waited too long");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    /// The red of a picture whose red is `linear`.
+    fn red(linear: f32) -> u8 {
+        crate::color::to_byte(linear)
+    }
+
+    #[test]
+    fn quitting_at_once_still_saves_a_whole_picture() {
+        let (picture, _) = saved("quit", |_, _| ());
+        assert_eq!(picture.dimensions(), (40, 20));
+        assert!(picture.pixels().all(|p| p.0 == [red(0.5), 0, 0]));
+    }
+
+    #[test]
+    fn all_samples_are_taken_and_shown() {
+        let (_, shown) = saved("all", |_, shown| wait(shown, |shown| shown.samples == 4));
+        assert_eq!((shown.total, shown.error), (4, Some(0.0)));
+        assert!(shown.raster.pixels().iter().all(|p| *p == screen(Rgb::X * 0.5)));
+    }
+
+    #[test]
+    fn the_last_of_many_views_is_saved_in_its_size() {
+        let (picture, shown) = saved("views", |mailbox, _| {
+            for (rings, width) in [(1.0, 30), (2.0, 50), (6.0, 33)] {
+                let size = Size::new(width, 17).unwrap();
+                mailbox.post(|orders| orders.view = Some(view(0, Some(("rings", rings)), size)));
+            }
+        });
+        assert_eq!(picture.dimensions(), (33, 17));
+        assert!(picture.pixels().all(|p| p.0 == [red(0.75), 0, 0]));
+        assert_eq!(shown.raster.size(), (33, 17));
+    }
+
+    #[test]
+    fn a_picture_that_cannot_be_made_leaves_the_last_one() {
+        let size = Size::of::<40, 20>();
+        let (picture, shown) = saved("broken", |mailbox, shown| {
+            mailbox.post(|orders| orders.view = Some(view(0, Some(("broken", 1.0)), size)));
+            wait(shown, |shown| shown.message.is_some() && shown.samples == 4);
+        });
+        assert!(picture.pixels().all(|p| p.0 == [red(0.5), 0, 0]));
+        assert!(shown.message.unwrap().text.starts_with("knob 'broken' cannot be 'on'"));
+    }
+
+    #[test]
+    fn slow_pictures_can_be_saved_and_left_before_they_are_done() {
+        let start = Instant::now();
+        let (picture, shown) = saved("slow", |mailbox, shown| {
+            mailbox.post(|orders| orders.view = Some(view(1, None, Size::of::<40, 20>())));
+            wait(shown, |shown| shown.samples >= 2);
+            mailbox.post(|orders| orders.save = true);
+            wait(shown, |shown| shown.message.is_some());
+            let samples = lock(shown).samples;
+            wait(shown, |shown| shown.samples > samples);
+        });
+        assert!(picture.pixels().all(|p| p.0 == [0, 255, 0]));
+        assert_eq!(shown.message.unwrap().color, GREEN);
+        assert!(start.elapsed() < Duration::from_secs(20));
+    }
+}

@@ -44,29 +44,14 @@ fn on_circle(radius: f32, y: f32, turn: f32) -> Vec3 {
 }
 
 /// The outline of the pawn from bottom to top: radius and height.
-const PAWN: [(f32, f32); 17] = [
-    (0.62, 0.0),
-    (0.62, 0.14),
-    (0.56, 0.2),
-    (0.56, 0.25),
-    (0.46, 0.3),
-    (0.4, 0.42),
-    (0.28, 0.6),
-    (0.2, 0.86),
-    (0.18, 1.12),
-    (0.36, 1.18),
-    (0.36, 1.24),
-    (0.2, 1.3),
-    (0.3, 1.42),
-    (0.37, 1.58),
-    (0.35, 1.74),
-    (0.23, 1.9),
-    (0.1, 1.98),
+const PAWN: [(f32, f32); 13] = [
+    (0.6, 0.0), (0.6, 0.14), (0.5, 0.26), (0.36, 0.46), (0.22, 0.8), (0.18, 1.12), (0.37, 1.2), (0.2, 1.3),
+    (0.31, 1.42), (0.37, 1.58), (0.33, 1.76), (0.21, 1.91), (0.08, 1.98),
 ];
 
-/// A pawn as a turner makes it: its outline turned about the y axis in 20 steps, in quads, closed at both ends.
+/// A pawn as a turner makes it: its outline turned about the y axis in 16 steps, in quads, closed at both ends.
 fn pawn() -> String {
-    const STEPS: usize = 20;
+    const STEPS: usize = 16;
     let mut obj = Obj::default();
     obj.comment("A chess pawn, 2 units high, made by tests/course/assets.rs. Quads and two polygons; no normals.");
     let mut rings = Vec::new();

@@ -84,7 +84,10 @@ impl Mesh {
 
     /// Its triangles, in the file's order.
     pub fn triangles(&self) -> impl Iterator<Item = Triangle> {
-        self.triangles.iter().map(|corners| Triangle { corners: corners.map(|i| self.positions[i as usize]) })
+        self.triangles.iter().map(|&[i, j, k]| {
+            let [r1, r2, r3] = [i, j, k].map(|i| self.positions[i as usize]);
+            Triangle::new(r1, r2, r3)
+        })
     }
 }
 

@@ -44,7 +44,7 @@ impl Rest {
 
 /// The size of the window for a picture: its own, but neither too small to see nor larger than most screens.
 pub(crate) fn opening((width, height): Extent) -> Extent {
-    const SMALLEST: usize = 320;
+    const SMALLEST: usize = 480;
     const LARGEST: Extent = (1600, 900);
     // Whole multiples, so that all pixels of the picture are equally large.
     let times = SMALLEST.div_ceil(width.max(height).max(1));
@@ -81,8 +81,8 @@ mod tests {
     #[test]
     fn windows_open_at_a_size_to_look_at() {
         assert_eq!(opening((640, 360)), (640, 360));
-        assert_eq!(opening((16, 9)), (320, 180));
-        assert_eq!(opening((1, 1)), (320, 320));
+        assert_eq!(opening((16, 9)), (480, 270));
+        assert_eq!(opening((1, 1)), (480, 480));
         assert_eq!(opening((1920, 1080)), (1600, 900));
         assert_eq!(opening((1000, 2000)), (450, 900));
         assert_eq!(opening((65_535, 1)), (1600, 1));

@@ -1,11 +1,8 @@
 //! The watcher: passes what is rendered on to the window, and ends a rendering that is not wanted any more.
 
 use std::{
-    sync::{
-        Mutex,
-        atomic::{AtomicBool, Ordering},
-    },
-    time::{Duration, Instant},
+    sync::{Mutex, OnceLock, atomic::Ordering},
+    time::Instant,
 };
 
 use super::{
@@ -15,7 +12,7 @@ use super::{
 };
 use crate::{
     color::Rgb,
-    film::{Film, Tile},
+    film::{Film, Size, Tile},
     picture::{FilmPoint, Render},
     random::Stream,
     renderer::{self, Ending, Plan, Watch},
@@ -24,30 +21,32 @@ use crate::{
 
 /// Watches a rendering for the window.
 pub(crate) struct Watcher<'a> {
-    /// Where orders wait.
-    pub(crate) mailbox: &'a Mailbox,
-    /// Where the window looks.
-    pub(crate) shown: &'a Mutex<Shown>,
-    /// How much there is to see.
-    pub(crate) progress: &'a Progress,
-    /// Whether the last first pass took so long that something rougher should come before it.
-    pub(crate) slow: &'a AtomicBool,
+    mailbox: &'a Mailbox,
+    shown: &'a Mutex<Shown>,
+    progress: &'a Progress,
     /// Factor of the exposure.
-    pub(crate) gain: f32,
-    /// When the rendering began.
-    pub(crate) start: Instant,
+    gain: f32,
+    first_pass: OnceLock<Instant>,
 }
 
-impl Watcher<'_> {
-    /// Show a small rough picture, stretched, before the first pass of a slow one.
-    pub(crate) fn sketch(&self, picture: &dyn Render, film: &Film, plan: &Plan) {
-        const SHARE: u32 = 4;
-        let size = film.size();
-        let mut small = Film::new(size.scaled_to((size.width().max(size.height()) / SHARE).max(1)));
-        let cancel = Cancel(self);
-        if renderer::render(picture, &mut small, &Plan { samples: 1, ..*plan }, &cancel) == Ending::Finished {
-            let mut raster = Raster::of(small.size());
-            for tile in small.tiles() {
+impl<'a> Watcher<'a> {
+    /// A watcher for one rendering.
+    pub(crate) fn new(mailbox: &'a Mailbox, shown: &'a Mutex<Shown>, progress: &'a Progress, gain: f32) -> Self {
+        Self { mailbox, shown, progress, gain, first_pass: OnceLock::new() }
+    }
+
+    /// When every pixel got its first sample, if that was here.
+    pub(crate) fn first_pass(&self) -> Option<Instant> {
+        self.first_pass.get().copied()
+    }
+
+    /// Show a small rough picture, stretched to `size`.
+    pub(crate) fn sketch(&self, picture: &dyn Render, small: Size, size: Size, plan: &Plan) -> Ending {
+        let mut film = Film::new(small);
+        let ending = renderer::render(picture, &mut film, &Plan { samples: 1, ..*plan }, &Cancel(self));
+        if ending == Ending::Finished {
+            let mut raster = Raster::of(small);
+            for tile in film.tiles() {
                 raster.put(tile, &self.developed(tile));
             }
             let mut shown = lock(self.shown);
@@ -55,6 +54,7 @@ impl Watcher<'_> {
             shown.version += 1;
             self.progress.rough.store(true, Ordering::Release);
         }
+        ending
     }
 
     /// A tile as screen pixels.
@@ -75,9 +75,8 @@ impl Watch for Watcher<'_> {
     }
 
     fn pass_done(&self, film: &Film, samples: u32) {
-        const LONG: Duration = Duration::from_millis(150);
         if samples == 1 {
-            self.slow.store(self.start.elapsed() > LONG, Ordering::Relaxed);
+            self.first_pass.get_or_init(Instant::now);
         }
         let error = film.relative_error();
         let mut shown = lock(self.shown);

@@ -1,11 +1,8 @@
 //! The worker: renders in the background whatever the window orders.
 
 use std::{
-    sync::{
-        Mutex,
-        atomic::{AtomicBool, Ordering},
-    },
-    time::Instant,
+    sync::{Mutex, atomic::Ordering},
+    time::{Duration, Instant},
 };
 
 use super::{
@@ -17,7 +14,7 @@ use super::{
 use crate::{
     cli::{Request, Target, say},
     error::Error,
-    film::Film,
+    film::{Film, Size},
     float,
     picture::{Chapter, Render},
     renderer::{self, Ending},
@@ -31,8 +28,8 @@ pub(crate) struct Worker<'a> {
     request: Request,
     film: Film,
     progress: Progress,
-    /// Whether a first pass takes so long that something rougher should come before it.
-    slow: AtomicBool,
+    /// How long a sample took lately, all threads together, in seconds.
+    pace: Option<f64>,
     /// Whether the film is in a file as it is.
     saved: bool,
     mailbox: &'a Mailbox,
@@ -55,7 +52,7 @@ impl<'a> Worker<'a> {
             request: request.clone(),
             film: Film::new(request.size),
             progress: Progress::default(),
-            slow: AtomicBool::new(true),
+            pace: None,
             saved: false,
             mailbox,
             shown,
@@ -123,13 +120,25 @@ impl<'a> Worker<'a> {
     /// Render until all samples are there or an order wants to be done.
     fn render(&mut self) -> Ending {
         let picture = self.made.as_deref().unwrap_or(self.first);
-        let Self { mailbox, shown, request: Request { plan, exposure, .. }, progress, slow, .. } = self;
-        let watcher = Watcher { mailbox, shown, progress, slow, gain: float::exp2(*exposure), start: Instant::now() };
+        let Self { mailbox, shown, request, film, progress, pace, .. } = self;
+        let (plan, size) = (&request.plan, request.size);
+        let watcher = Watcher::new(mailbox, shown, progress, float::exp2(request.exposure));
         let picture = Abandonable { picture, watcher: &watcher };
-        if slow.load(Ordering::Relaxed) && !progress.rough.load(Ordering::Relaxed) {
-            watcher.sketch(&picture, &self.film, plan);
+        let begun = Instant::now();
+        let mut sketched = Duration::ZERO;
+        if !progress.rough.load(Ordering::Relaxed) {
+            for small in sketches(size, *pace) {
+                let ending = watcher.sketch(&picture, small, size, plan);
+                let time = seconds_each(begun.elapsed() - sketched, small);
+                // What was not finished takes longer than that.
+                *pace = Some(if ending == Ending::Finished { time } else { pace.unwrap_or(0.0).max(2.0 * time) });
+                sketched = begun.elapsed();
+            }
         }
-        renderer::render(&picture, &mut self.film, plan, &watcher)
+        let ending = renderer::render(&picture, film, plan, &watcher);
+        let first_pass = watcher.first_pass().map(|time| time.saturating_duration_since(begun + sketched));
+        *pace = first_pass.map(|time| seconds_each(time, size)).or(*pace);
+        ending
     }
 
     /// Save the film as it is; says where it is now.
@@ -143,14 +152,36 @@ impl<'a> Worker<'a> {
     }
 }
 
+/// The sizes of rough pictures that should come before the first pass: one that is there at once, and one in between;
+/// none if the first pass itself is done at once.
+fn sketches(size: Size, pace: Option<f64>) -> Vec<Size> {
+    const AT_ONCE: f64 = 0.08;
+    const COARSEST: u32 = 16;
+    const BETWEEN: u32 = 4;
+    #[expect(clippy::cast_precision_loss, reason = "at most MAX_PIXELS")]
+    let first_pass = pace.unwrap_or(f64::INFINITY) * size.pixels() as f64;
+    if first_pass < 2.0 * AT_ONCE {
+        return Vec::new();
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and is limited then")]
+    let divisor = ((first_pass / AT_ONCE).sqrt().ceil() as u32).min(COARSEST);
+    let divisors = [divisor, BETWEEN].into_iter().take(if divisor >= 2 * BETWEEN { 2 } else { 1 });
+    divisors.map(|divisor| size.scaled_to(size.width().max(size.height()).div_ceil(divisor))).collect()
+}
+
+/// The time of one sample of many.
+#[expect(clippy::cast_precision_loss, reason = "at most MAX_PIXELS")]
+fn seconds_each(time: Duration, size: Size) -> f64 {
+    time.as_secs_f64() / size.pixels() as f64
+}
+
 #[cfg(test)]
 mod tests {
-    use std::{path::PathBuf, time::Duration};
+    use std::path::PathBuf;
 
     use super::*;
     use crate::{
         color::Rgb,
-        film::Size,
         knob::Values,
         window::fixture::{CHAPTER, request_to},
         window::raster::screen,
@@ -201,6 +232,19 @@ mod tests {
     /// The red of a picture whose red is `linear`.
     fn red(linear: f32) -> u8 {
         crate::color::to_byte(linear)
+    }
+
+    #[test]
+    fn slow_pictures_begin_with_a_sketch() {
+        let size = Size::of::<640, 360>();
+        let widths = |pace| sketches(size, pace).into_iter().map(Size::width).collect::<Vec<_>>();
+        assert_eq!(widths(None), [40, 160]);
+        assert_eq!(widths(Some(1e-7)), [0; 0]);
+        // 0.23 s for all pixels: a third of them in 0.08 s, which is half of the width.
+        assert_eq!(widths(Some(1e-6)), [320]);
+        assert_eq!(widths(Some(1e-5)), [107]);
+        assert_eq!([Some(1.0), Some(f64::INFINITY)].map(widths), [[40, 160]; 2]);
+        assert_eq!(sketches(Size::of::<1, 1>(), Some(99.0)), [Size::of::<1, 1>(); 2]);
     }
 
     #[test]

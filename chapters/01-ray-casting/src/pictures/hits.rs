@@ -41,7 +41,7 @@ struct Hits {
 impl Integrator for Hits {
     fn radiance(&self, point: FilmPoint, _random: &mut Stream, story: &mut impl Story) -> Rgb {
         /// Distances at which the colour is full and at which it is gone, in scene units.
-        const FADE: [f32; 2] = [6.5, 13.0];
+        const FADE: [f32; 2] = [7.0, 12.0];
         let ray = self.camera.ray(point);
         tell_ray(story, &ray);
         let Some((hit, object)) = self.scene.intersect(&ray, Interval::POSITIVE) else { return Rgb::ZERO };

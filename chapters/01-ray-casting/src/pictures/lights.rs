@@ -34,9 +34,9 @@ pub(super) const PICTURE: Picture = Picture {
 
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let height = settings.values.number(&HEIGHT);
-    let sun = DirectionalLight::new(Vec3::new(-0.6, 0.9, 0.5), Rgb::splat(0.9));
+    let sun = DirectionalLight::new(Vec3::new(-0.8, 0.8, 0.4), Rgb::splat(0.9));
     // As bright on the floor below it as the sun is on a surface facing it, at the default height.
-    let lamp = PointLight { position: Vec3::new(0.0, height, 0.0), intensity: Rgb::splat(2.3) };
+    let lamp = PointLight { position: Vec3::new(0.0, height, 0.0), intensity: Rgb::splat(2.0) };
     Ok(Box::new(Panels::new(2, vec![view(settings, sun)?, view(settings, lamp)?])))
 }
 
@@ -44,13 +44,13 @@ fn view(settings: &Settings, light: impl Light + 'static) -> Result<Box<dyn Rend
     let mut scene = Scene::new();
     scene.ambient = Rgb::splat(0.06);
     scene.light(light);
-    scene.add("floor", square(0.0, 3.0)?, Phong::of(srgb(120, 126, 138), 0.0, 1.0));
+    scene.add("floor", square(0.0, 60.0)?, Phong::of(srgb(120, 126, 138), 0.0, 1.0));
     for x in [-1.5, 0.0, 1.5] {
         for z in [-1.5, 0.0, 1.5] {
             let ball = Sphere::new(Vec3::new(x, 0.32, z), 0.32);
             scene.add("ball", ball, Phong::of(srgb(228, 222, 210), 0.3, 40.0));
         }
     }
-    let camera = camera([0.0, 6.2, 7.4], [0.0, 0.0, 0.1], 28.0, &settings.values)?;
+    let camera = camera([0.0, 6.2, 7.4], [0.0, 0.0, 0.1], 30.0, &settings.values)?;
     Ok(Box::new(LocalIllumination { scene, camera, terms: Terms::ALL }))
 }

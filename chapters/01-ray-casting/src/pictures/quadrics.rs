@@ -36,9 +36,9 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
         ("hyperboloid of two sheets", Quadric::hyperboloid_of_two_sheets(0.14, 0.18, 0.7), 0.7, srgb(186, 140, 66)),
     ];
     let mut scene = stage()?;
-    for ((name, quadric, height, color), x) in gallery.into_iter().zip([-3.0, -1.8, -0.6, 0.6, 1.8, 3.0]) {
+    for ((name, quadric, height, color), x) in gallery.into_iter().zip([-2.8, -1.68, -0.56, 0.56, 1.68, 2.8]) {
         scene.add(name, quadric.placed(Frame::at(Vec3::new(x, height, 0.0))), Phong::of(color, 0.5, 50.0));
     }
-    let camera = camera([0.0, 3.1, 8.0], [0.0, 0.68, 0.0], 18.5, &settings.values)?;
+    let camera = camera([0.0, 3.1, 8.0], [0.0, 0.68, 0.0], 20.5, &settings.values)?;
     Ok(Box::new(LocalIllumination { scene, camera, terms: Terms::ALL }))
 }

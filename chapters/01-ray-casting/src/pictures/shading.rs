@@ -20,7 +20,7 @@ pub(super) const PICTURE: Picture = Picture {
           smooth: the surface looks round, and only the outline still shows its corners.",
     knobs: &ORBIT,
     size: Size::of::<960, 540>(),
-    samples: 16,
+    samples: 4,
     takes_mesh: false,
     make,
 };

@@ -33,11 +33,11 @@ pub(super) const PICTURE: Picture = Picture {
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let mut scene = stage()?;
     let mut shininess = settings.values.number(&FIRST);
-    for x in [-2.3, -1.15, 0.0, 1.15, 2.3] {
+    for x in [-2.2, -1.1, 0.0, 1.1, 2.2] {
         let material = Phong { specular: Rgb::splat(0.8), ..Phong::of(srgb(40, 122, 88), 0.0, shininess) };
         scene.add("ball", Sphere::new(Vec3::new(x, 0.5, 0.0), 0.5), material);
         shininess *= settings.values.number(&FACTOR);
     }
-    let camera = camera([0.0, 2.2, 8.0], [0.0, 0.46, 0.0], 12.6, &settings.values)?;
+    let camera = camera([0.0, 2.2, 8.0], [0.0, 0.46, 0.0], 13.6, &settings.values)?;
     Ok(Box::new(LocalIllumination { scene, camera, terms: Terms::ALL }))
 }

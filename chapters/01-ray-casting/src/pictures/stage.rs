@@ -17,19 +17,19 @@ use crate::{
 
 /// The sun of the stage: low, from the left and behind, a little cool.
 pub(super) fn sun() -> DirectionalLight {
-    DirectionalLight::new(Vec3::new(-0.85, 0.42, -0.32), Rgb::new(0.62, 0.72, 0.95))
+    DirectionalLight::new(Vec3::new(-0.9, 0.3, -0.35), Rgb::new(0.55, 0.68, 1.0))
 }
 
 /// The lamp of the stage: near, warm, from the right and in front.
 pub(super) fn lamp() -> PointLight {
-    PointLight { position: Vec3::new(2.6, 4.2, 3.4), intensity: Rgb::new(21.0, 18.0, 14.0) }
+    PointLight { position: Vec3::new(2.2, 3.9, 3.0), intensity: Rgb::new(24.0, 19.5, 14.5) }
 }
 
 /// A stage with a floor that fades into the background.
 pub(super) fn stage() -> Result<Scene<Phong>, Error> {
     let mut scene = Scene::new();
-    scene.ambient = Rgb::new(0.10, 0.12, 0.16);
-    let floor = Phong { specular: Rgb::ZERO, ..Phong::of(srgb(104, 112, 128), 0.0, 1.0) };
+    scene.ambient = Rgb::new(0.07, 0.085, 0.12);
+    let floor = Phong { specular: Rgb::ZERO, ..Phong::of(srgb(92, 96, 108), 0.0, 1.0) };
     // Far from the lamp the floor shows the ambient light and the sun. The background is the same.
     let sunlight = crate::light::Light::illuminate(&sun(), Vec3::ZERO);
     scene.background =

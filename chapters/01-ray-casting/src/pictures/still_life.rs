@@ -39,7 +39,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
 
 /// The camera of the still life.
 pub(super) fn view(settings: &Settings) -> Result<Camera, Error> {
-    camera([0.2, 2.3, 8.6], [0.1, 0.92, 0.0], 24.0, &settings.values)
+    camera([0.1, 3.4, 8.6], [-0.02, 0.86, 0.0], 22.5, &settings.values)
 }
 
 // ANCHOR: scene
@@ -55,14 +55,14 @@ pub fn scene() -> Result<Scene<Phong>, Error> {
     let sapphire = Phong::of(srgb(60, 104, 200), 0.9, 50.0);
 
     let mut scene = stage()?;
-    let vase = Quadric::hyperboloid_of_one_sheet(0.34, 0.72, 1.15).placed(Frame::at(Vec3::new(-0.75, 1.15, -0.7)));
+    let vase = Quadric::hyperboloid_of_one_sheet(0.3, 0.62, 1.05).placed(Frame::at(Vec3::new(-0.85, 1.05, -0.7)));
     let tube = Quadric::cylinder(0.36, 1.35).placed(Frame::at(Vec3::new(0.62, 0.0, -1.25)));
-    let cone = Quadric::cone(0.52, 1.7).placed(Frame::at(Vec3::new(1.75, 0.0, -0.75)));
+    let cone = Quadric::cone(0.52, 1.7).placed(Frame::at(Vec3::new(1.7, 0.0, -0.7)));
     let bowl = Quadric::paraboloid(0.72, 0.6).placed(Frame::at(Vec3::new(0.35, 0.0, 0.35)));
-    let goblet = Quadric::hyperboloid_of_two_sheets(0.14, 0.2, 0.62).placed(Frame::at(Vec3::new(-2.05, 0.62, 0.0)));
+    let goblet = Quadric::hyperboloid_of_two_sheets(0.12, 0.16, 0.55).placed(Frame::at(Vec3::new(-2.1, 0.55, 0.1)));
     let egg = Quadric::ellipsoid(Vec3::new(0.42, 0.3, 0.3))
         .placed(Frame::at(Vec3::new(-0.85, 0.3, 0.95)).turned(Vec3::Y, 28.0));
-    let stone = crystals(Vec3::new(1.2, 0.0, 0.75), 0.8)?;
+    let stone = crystals(Vec3::new(1.42, 0.0, 0.75), 0.8)?;
     scene
         .add("vase (hyperboloid of one sheet)", vase, clay)
         .add("tube (cylinder)", tube, cream)

@@ -4,7 +4,7 @@
 //! pictures, pinned numbers, exercises and diagrams. A directive that cannot be done fails the build, with one line
 //! that says where, what, and what would be right.
 //!
-//! [`build`] writes the book; [`check`] looks at what was written, and at what was left out.
+//! [`build()`] writes the book; [`check()`] looks at what was written, and at what was left out.
 
 mod anchor;
 mod check;

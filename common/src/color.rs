@@ -15,6 +15,7 @@ pub fn luminance(color: Rgb) -> f32 {
     color.dot(Vec3::new(0.2126, 0.7152, 0.0722))
 }
 
+// ANCHOR: srgb_encode
 /// Encode one linear channel for a screen, both in `[0, 1]`.
 ///
 /// Source: IEC 61966-2-1 (sRGB). A straight line near black, then a power curve.
@@ -22,6 +23,7 @@ pub fn luminance(color: Rgb) -> f32 {
 pub fn srgb_encode(linear: f32) -> f32 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * float::pow(linear, 1.0 / 2.4) - 0.055 }
 }
+// ANCHOR_END: srgb_encode
 
 /// The inverse of [`srgb_encode`].
 #[must_use]

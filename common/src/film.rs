@@ -85,6 +85,7 @@ pub struct Pixel {
 }
 
 impl Pixel {
+    // ANCHOR: add
     /// Add one sample of linear RGB radiance. NaN and infinite samples are counted and left out.
     pub fn add(&mut self, sample: Rgb) {
         self.count += 1;
@@ -96,6 +97,7 @@ impl Pixel {
         self.sum += sample;
         self.sum_of_squares += sample * sample;
     }
+    // ANCHOR_END: add
 
     /// Number of samples that count.
     fn good(&self) -> f64 {
@@ -318,7 +320,7 @@ mod tests {
     #[test]
     fn exposure_is_in_stops() {
         let mut film = Film::new(Size::of::<1, 1>());
-        film.tiles_mut()[0].pixels[0].add(Rgb::new(0.214_041, 0.107_02, 9.0));
+        film.tiles_mut()[0].pixels[0].add(Rgb::new(0.215_861, 0.107_930, 9.0));
         assert_eq!(film.develop(0.0), [[128, 92, 255]]);
         assert_eq!(film.develop(1.0)[0][1], 128);
     }

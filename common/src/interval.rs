@@ -1,5 +1,6 @@
 //! A range of the ray parameter `t`.
 
+// ANCHOR: interval
 /// The open interval `min < t < max` of ray parameters that count.
 ///
 /// `t` is measured in lengths of the ray's direction, so in scene units when the direction has unit length.
@@ -10,6 +11,7 @@ pub struct Interval {
     /// Values at or above this one do not count.
     pub max: f32,
 }
+// ANCHOR_END: interval
 
 impl Interval {
     /// All that lies in front of the origin: `0 < t < ∞`.

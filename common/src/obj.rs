@@ -90,6 +90,7 @@ pub fn parse(bytes: &[u8]) -> Result<ObjMesh, ObjError> {
 /// some negative indices, and does not say where.)
 fn tidy(text: &str) -> Result<String, ObjError> {
     let mut tidy = String::with_capacity(text.len());
+    let mut tidy_normals = String::new();
     let (mut positions, mut normals) = (0, 0);
     let mut faces: Vec<Vec<(usize, Option<usize>)>> = Vec::new();
     let mut continued = String::new();
@@ -106,9 +107,11 @@ fn tidy(text: &str) -> Result<String, ObjError> {
         match words.next() {
             Some(kind @ ("v" | "vn")) => {
                 let [x, y, z] = vector(kind, words).map_err(wrong)?;
+                let (text, count) =
+                    if kind == "v" { (&mut tidy, &mut positions) } else { (&mut tidy_normals, &mut normals) };
                 // Writing to a string cannot fail.
-                let _ = writeln!(tidy, "{kind} {x:?} {y:?} {z:?}");
-                *if kind == "v" { &mut positions } else { &mut normals } += 1;
+                let _ = writeln!(text, "{kind} {x:?} {y:?} {z:?}");
+                *count += 1;
             }
             Some("f") => {
                 let corners: Result<Vec<_>, _> = words.map(|word| corner(word, positions, normals)).collect();
@@ -126,6 +129,9 @@ fn tidy(text: &str) -> Result<String, ObjError> {
         return Err(ObjError::NoFaces);
     }
     let all_have_normals = faces.iter().flatten().all(|(_, normal)| normal.is_some());
+    if all_have_normals {
+        tidy.push_str(&tidy_normals);
+    }
     for face in faces {
         tidy.push('f');
         for (position, normal) in face {

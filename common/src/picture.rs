@@ -34,6 +34,7 @@ impl Chapter {
     }
 }
 
+// ANCHOR: picture
 /// The definition of one picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture {
@@ -52,6 +53,7 @@ pub struct Picture {
     /// Builds the scene and the way to look at it.
     pub make: fn(&Settings) -> Result<Box<dyn Render>, Error>,
 }
+// ANCHOR_END: picture
 
 /// What a user has chosen for a picture.
 #[derive(Clone, Debug, Default)]
@@ -96,6 +98,7 @@ impl FilmPoint {
     }
 }
 
+// ANCHOR: integrator
 /// Answers: what radiance arrives at this point of the film? (PBRT's word.)
 ///
 /// Implement this; [`Render`] then comes for free.
@@ -103,6 +106,7 @@ pub trait Integrator: Send + Sync {
     /// An estimate of the linear RGB radiance that arrives at `point`, by chance from `random`, told to `story`.
     fn radiance(&self, point: FilmPoint, random: &mut Stream, story: &mut impl Story) -> Rgb;
 }
+// ANCHOR_END: integrator
 
 /// The form of [`Integrator`] that can stand behind a pointer.
 pub trait Render: Send + Sync {

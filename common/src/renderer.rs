@@ -99,6 +99,7 @@ fn fill_tile(picture: &dyn Render, tile: &mut Tile, size: Size, plan: &Plan, unt
     }
 }
 
+// ANCHOR: film_point
 /// Where on the film a sample lies, and the stream of its further random numbers.
 ///
 /// A lone sample lies in the pixel's centre. Several lie anywhere in the pixel with equal probability, so that their
@@ -111,6 +112,7 @@ fn film_point((x, y): (u32, u32), size: Size, plan: &Plan, sample: u32) -> (Film
     let [corner, size] = [(x, y), (size.width(), size.height())].map(|(x, y)| Vec2::new(x as f32, y as f32));
     (FilmPoint { position: corner + offset, size }, random)
 }
+// ANCHOR_END: film_point
 
 /// One sample of one pixel with its story, the same to the last bit as in the picture.
 #[must_use]

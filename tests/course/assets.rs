@@ -45,8 +45,19 @@ fn on_circle(radius: f32, y: f32, turn: f32) -> Vec3 {
 
 /// The outline of the pawn from bottom to top: radius and height.
 const PAWN: [(f32, f32); 13] = [
-    (0.6, 0.0), (0.6, 0.14), (0.5, 0.26), (0.36, 0.46), (0.22, 0.8), (0.18, 1.12), (0.37, 1.2), (0.2, 1.3),
-    (0.31, 1.42), (0.37, 1.58), (0.33, 1.76), (0.21, 1.91), (0.08, 1.98),
+    (0.6, 0.0),
+    (0.6, 0.14),
+    (0.5, 0.26),
+    (0.36, 0.46),
+    (0.22, 0.8),
+    (0.18, 1.12),
+    (0.37, 1.2),
+    (0.2, 1.3),
+    (0.31, 1.42),
+    (0.37, 1.58),
+    (0.33, 1.76),
+    (0.21, 1.91),
+    (0.08, 1.98),
 ];
 
 /// A pawn as a turner makes it: its outline turned about the y axis in 16 steps, in quads, closed at both ends.

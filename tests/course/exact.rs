@@ -135,9 +135,9 @@ impl Answers {
         Answers { hits, may_miss: true }
     }
 
-    /// Whether more than one answer is right.
+    /// Whether an outline or a rim is so near that more than one answer is right.
     pub(crate) fn is_close(&self) -> bool {
-        self.hits.len() + usize::from(self.may_miss) > 1
+        self.hits.iter().any(|hit| !hit.certain)
     }
 
     /// Whether the answer `t` is right; a wrong one is told.

@@ -36,6 +36,11 @@ pub(crate) fn one_of(random: &mut Stream, count: usize) -> usize {
     ((random.uniform() * count as f32) as usize).min(count - 1)
 }
 
+/// A ray from one point toward another, its direction of unit length.
+pub(crate) fn aimed(origin: Vec3, at: Vec3) -> Ray {
+    Ray::new(origin, (at - origin).try_normalize().unwrap_or(Vec3::X))
+}
+
 /// What the rays are aimed at.
 pub(crate) struct Target<'a> {
     pub(crate) center: Vec3,
@@ -52,11 +57,11 @@ impl Target<'_> {
     pub(crate) fn ray(&self, i: u32, random: &mut Stream) -> Ray {
         let Self { center, size, farthest, .. } = *self;
         let near = center + in_cube(random) * 1.2 * size;
-        let ray = match i % 8 {
+        let ray = match i % 9 {
             // Start anywhere around the shape.
-            0 => Ray::new(center + in_cube(random) * 4.0 * size, Vec3::ZERO).toward(near),
+            0 => aimed(center + in_cube(random) * 4.0 * size, near),
             // Start far away.
-            1 => Ray::new(center + direction(random) * magnitude(random, 4.0, farthest) * size, Vec3::ZERO).toward(near),
+            1 => aimed(center + direction(random) * magnitude(random, 4.0, farthest) * size, near),
             // Run along an axis, with exact zeros of either sign.
             2 => {
                 let mut way = Vec3::from_array([(); 3].map(|()| [0.0, -0.0][one_of(random, 2)]));
@@ -80,6 +85,8 @@ impl Target<'_> {
             5 => Ray::new(center + in_cube(random) * 0.5 * size, direction(random)),
             // Start on the surface.
             6 => Ray::new((self.surface)(random).0.to_f32(), direction(random)),
+            // Aim at the surface itself, so also at its rim.
+            7 => aimed(center + in_cube(random) * 4.0 * size, (self.surface)(random).0.to_f32()),
             // Graze it: pass within a thousandth of its size.
             _ => {
                 let (point, normal) = (self.surface)(random);
@@ -102,16 +109,5 @@ impl Target<'_> {
         let min = (far + between(random, -1.5, 1.0) * self.size) / speed;
         let max = min + between(random, 0.0, 3.0) * self.size / speed;
         if random.uniform() < 0.5 { Interval::new(min, max) } else { Interval::new(min, f32::INFINITY) }
-    }
-}
-
-/// A ray turned toward a point.
-trait Toward {
-    fn toward(self, point: Vec3) -> Ray;
-}
-
-impl Toward for Ray {
-    fn toward(self, point: Vec3) -> Ray {
-        Ray::new(self.origin, (point - self.origin).normalize())
     }
 }

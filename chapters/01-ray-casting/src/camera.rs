@@ -8,6 +8,7 @@ use common::{
 
 use crate::ray::Ray;
 
+// ANCHOR: camera
 /// A pinhole camera. The window stands around `lookat`, at right angles to the view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
@@ -18,6 +19,7 @@ pub struct Camera {
     /// From the middle of a square window to the middle of its upper edge.
     up: Vec3,
 }
+// ANCHOR_END: camera
 
 /// Why there is no such camera.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

@@ -28,6 +28,7 @@ impl Frame {
         Self { axes: Mat3::from_cols(turn(x_axis), turn(y_axis), turn(z_axis)), ..self }
     }
 
+    // ANCHOR: to_local
     /// A point of the scene in local coordinates.
     #[must_use]
     pub fn point_to_local(&self, point: Vec3) -> Vec3 {
@@ -40,6 +41,7 @@ impl Frame {
         // The inverse of a rotation is its transpose.
         self.axes.transpose() * vector
     }
+    // ANCHOR_END: to_local
 
     /// A local direction in the scene; normals too, since nothing is stretched.
     #[must_use]

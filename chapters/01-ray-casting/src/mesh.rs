@@ -10,6 +10,7 @@ use crate::{
     triangle_barycentric::Shear,
 };
 
+// ANCHOR: mesh
 /// A surface made of triangles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
@@ -28,6 +29,7 @@ enum VertexNormals {
     /// For each triangle the indices of the normals in its corners.
     Smooth { normals: Vec<Vec3>, triangles: Vec<[u32; 3]> },
 }
+// ANCHOR_END: mesh
 
 /// How a mesh is shaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -40,6 +40,7 @@ impl Quadric {
         Self { frame, ..self }
     }
 
+    // ANCHOR: upright
     /// `A x² + B y² + C z² + 2 D y + E = 0` between two heights: all the shapes below.
     fn upright([a, b, c]: [f32; 3], d: f32, e: f32, [bottom, top]: [f32; 2]) -> Self {
         let q = Mat4::from_cols(
@@ -51,6 +52,7 @@ impl Quadric {
         let Bounds { min, max } = Bounds::EVERYTHING;
         Self::new(q, Bounds { min: min.with_y(bottom), max: max.with_y(top) })
     }
+    // ANCHOR_END: upright
 
     // ANCHOR: gallery
     /// `x²/a² + y²/b² + z²/c² = 1`: an ellipsoid with the three given radii around the origin.

@@ -2,6 +2,7 @@
 
 use common::Vec3;
 
+// ANCHOR: definition
 /// The points `origin + t · direction` with `t > 0`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
@@ -10,6 +11,7 @@ pub struct Ray {
     /// Where it goes. Camera rays have unit length, so that `t` is a distance; shapes accept any length but zero.
     pub direction: Vec3,
 }
+// ANCHOR_END: definition
 
 // ANCHOR: ray
 impl Ray {

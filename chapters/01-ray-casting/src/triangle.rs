@@ -4,13 +4,16 @@ use common::{Interval, Vec3};
 
 use crate::{hit::Hit, ray::Ray, shape::Shape, triangle_barycentric::Shear};
 
+// ANCHOR: triangle
 /// Three corners, counter-clockwise when seen from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle {
     /// The corners `r1`, `r2`, `r3`, in scene units.
     pub corners: [Vec3; 3],
 }
+// ANCHOR_END: triangle
 
+// ANCHOR: hit
 /// Where a ray meets a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleHit {
@@ -19,6 +22,7 @@ pub struct TriangleHit {
     /// Barycentric coordinates α, β, γ of the point: none negative, together 1.
     pub weights: [f32; 3],
 }
+// ANCHOR_END: hit
 
 impl Triangle {
     /// A triangle from its corners, counter-clockwise when seen from outside.
@@ -27,12 +31,14 @@ impl Triangle {
         Self { corners: [r1, r2, r3] }
     }
 
+    // ANCHOR: normal
     /// The vector at right angles to the triangle, `(r2 − r1) × (r3 − r1)`; its length is twice the area.
     #[must_use]
     pub fn normal(&self) -> Vec3 {
         let [r1, r2, r3] = self.corners;
         (r2 - r1).cross(r3 - r1)
     }
+    // ANCHOR_END: normal
 }
 
 impl Shape for Triangle {

@@ -5,6 +5,7 @@ use std::{ffi::OsString, path::PathBuf};
 use clap::{Arg, ArgAction, ArgMatches, Command, builder::ValueParser, value_parser};
 
 use crate::{
+    error::Error,
     film::Size,
     knob::Knob,
     obj,
@@ -54,6 +55,14 @@ pub(crate) enum Stop {
     Help(String),
     /// The command line is wrong; this line says what would be right.
     Wrong(String),
+    /// The command line is right, but a file that it names cannot be used.
+    Unusable(Error),
+}
+
+impl From<String> for Stop {
+    fn from(what: String) -> Self {
+        Self::Wrong(what)
+    }
 }
 
 /// Understand a command line.
@@ -68,10 +77,10 @@ pub(crate) fn parse(chapter: &Chapter, arguments: impl IntoIterator<Item = OsStr
         let what = what.split_whitespace().collect::<Vec<_>>().join(" ");
         Stop::Wrong(format!("{what} (--help shows all options)"))
     })?;
-    understand(chapter, &matches).map_err(Stop::Wrong)
+    understand(chapter, &matches)
 }
 
-fn understand(chapter: &Chapter, matches: &ArgMatches) -> Result<Request, String> {
+fn understand(chapter: &Chapter, matches: &ArgMatches) -> Result<Request, Stop> {
     let list = matches.get_flag("list");
     let mesh = matches.get_one::<PathBuf>("mesh");
     let picture = match matches.get_one::<String>("picture") {
@@ -81,7 +90,7 @@ fn understand(chapter: &Chapter, matches: &ArgMatches) -> Result<Request, String
             .iter()
             .find(|p| p.takes_mesh)
             .ok_or_else(|| format!("no picture of chapter {} takes --mesh", chapter.name))?,
-        None => chapter.pictures.first().ok_or("this chapter has no pictures yet")?,
+        None => chapter.pictures.first().ok_or_else(|| "this chapter has no pictures yet".to_string())?,
     };
 
     let mut settings = Settings::default();
@@ -95,16 +104,18 @@ fn understand(chapter: &Chapter, matches: &ArgMatches) -> Result<Request, String
         if !picture.takes_mesh {
             let able: Vec<_> = chapter.pictures.iter().filter(|p| p.takes_mesh).map(|p| p.name).collect();
             let able = if able.is_empty() { "none does".into() } else { format!("these do: {}", able.join(", ")) };
-            return Err(format!("picture '{}' does not take --mesh; {able}", picture.name));
+            return Err(Stop::Wrong(format!("picture '{}' does not take --mesh; {able}", picture.name)));
         }
-        settings.mesh = Some(obj::read(path).map_err(|e| e.to_string())?);
+        settings.mesh = Some(obj::read(path).map_err(Stop::Unusable)?);
     }
 
     let size = matches.get_one::<Size>("size").copied().unwrap_or(picture.size);
     let pixel = matches.get_one::<(u32, u32)>("pixel").copied();
     if let Some((x, y)) = pixel.filter(|(x, y)| *x >= size.width() || *y >= size.height()) {
         let (right, bottom) = (size.width() - 1, size.height() - 1);
-        return Err(format!("pixel {x},{y} is outside: columns go from 0 to {right}, rows from 0 to {bottom}"));
+        return Err(Stop::Wrong(format!(
+            "pixel {x},{y} is outside: columns go from 0 to {right}, rows from 0 to {bottom}"
+        )));
     }
     let output = match matches.get_one::<PathBuf>("output") {
         None => Output::Default,

@@ -4,6 +4,7 @@ mod arguments;
 mod progress;
 
 use std::{
+    ffi::OsString,
     io::Write as _,
     path::{Path, PathBuf},
     process::ExitCode,
@@ -26,13 +27,20 @@ use crate::{
 /// Exit code 0 when that was done, 1 when it could not be done, 2 when the command line was wrong.
 #[must_use]
 pub fn run(chapter: &Chapter) -> ExitCode {
-    let request = match arguments::parse(chapter, std::env::args_os()) {
+    run_with(chapter, std::env::args_os())
+}
+
+/// The same for a command line from elsewhere. Its first word is the program's name.
+#[must_use]
+pub fn run_with(chapter: &Chapter, arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let request = match arguments::parse(chapter, arguments) {
         Ok(request) => request,
         Err(arguments::Stop::Help(text)) => return end(output::write_to_stdout(text.as_bytes())),
         Err(arguments::Stop::Wrong(message)) => {
             say(&format!("error: {message}"));
             return ExitCode::from(2);
         }
+        Err(arguments::Stop::Unusable(error)) => return end(Err(error)),
     };
     end(perform(chapter, &request))
 }

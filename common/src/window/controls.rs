@@ -30,10 +30,8 @@ pub(crate) struct Controls<'a> {
 pub(crate) enum Effect {
     /// The overlay changes at most.
     Overlay,
-    /// The picture must be rendered anew.
+    /// The picture must be rendered anew, or another one.
     Render,
-    /// Another picture must be rendered.
-    Another,
     /// The picture must be saved.
     Save,
     /// The window must be closed.
@@ -122,7 +120,7 @@ impl<'a> Controls<'a> {
         self.picture = &pictures[next];
         self.values = self.values_at_start();
         self.chosen = 0;
-        Effect::Another
+        Effect::Render
     }
 
     /// The knobs and their values as text.
@@ -225,7 +223,7 @@ mod tests {
     fn pictures_without_knobs_ignore_them() {
         let request = request();
         let mut controls = Controls::new(&CHAPTER, &request);
-        assert_eq!(controls.apply(Action::Leaf { forward: false }), Effect::Another);
+        assert_eq!(controls.apply(Action::Leaf { forward: false }), Effect::Render);
         assert_eq!(controls.picture.name, "plain");
         for action in [
             Action::Orbit { yaw: 1.0, pitch: 1.0 },

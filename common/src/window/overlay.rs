@@ -39,7 +39,7 @@ impl Line {
 }
 
 /// Draw one box in the upper left corner and one in the lower left, with letters as large as both fit and leave half
-/// of the picture free if only the lower one is there.
+/// of the picture free if only the lower one is there. If there is no room for both, the lower one is left out.
 pub(crate) fn draw(raster: &mut Raster, upper: &[Line], lower: &[Line]) {
     let (width, height) = raster.size();
     let wrap = |lines: &[Line], scale: usize| wrapped(lines, (width / scale / LETTER).saturating_sub(2));
@@ -50,11 +50,12 @@ pub(crate) fn draw(raster: &mut Raster, upper: &[Line], lower: &[Line]) {
         let free = if upper.is_empty() { height / scale / 2 } else { MARGIN };
         words_fit && rows + free <= height / scale
     };
-    let scale = (1..=largest).rev().find(fits).unwrap_or(1);
-    for (lines, low) in [(wrap(upper, scale), false), (wrap(lower, scale), true)] {
-        let top = if low { (height / scale).saturating_sub(box_height(lines.len())) } else { MARGIN };
-        boxed(raster, top, scale, &lines);
-    }
+    let scale = (1..=largest).rev().find(fits);
+    let lower = if scale.is_none() && !upper.is_empty() { &[] } else { lower };
+    let scale = scale.unwrap_or(1);
+    boxed(raster, MARGIN, scale, &wrap(upper, scale));
+    let lower = wrap(lower, scale);
+    boxed(raster, (height / scale).saturating_sub(box_height(lower.len())), scale, &lower);
 }
 
 /// Height of a box with its distance to the window's edge, in dots.

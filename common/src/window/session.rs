@@ -39,9 +39,10 @@ pub(crate) struct Session<'a> {
     touched: Instant,
     /// What there is to tell, since when.
     message: Option<(Line, Instant)>,
-    /// The picture as it was last picked up, and its version.
+    /// The picture as it was last picked up, its version, and when to look for another.
     picture: Raster,
     version: u64,
+    next: Instant,
     title: String,
     /// The picture with the overlay, as large as the window, and when it was drawn.
     frame: Raster,
@@ -87,6 +88,7 @@ impl<'a> Session<'a> {
             message: None,
             picture: Raster::new(1, 1),
             version: 0,
+            next: now,
             title: String::new(),
             frame: Raster::new(1, 1),
             drawn: now,
@@ -116,7 +118,7 @@ impl<'a> Session<'a> {
             self.touched = Instant::now();
             match self.controls.apply(action) {
                 Effect::Overlay => {}
-                Effect::Render | Effect::Another => changed = true,
+                Effect::Render => changed = true,
                 Effect::Save => self.save(),
                 Effect::Refuse(reason) => self.message = Some((Line::new(reason, RED), self.touched)),
                 Effect::Quit => return false,
@@ -161,7 +163,8 @@ impl<'a> Session<'a> {
 
     /// Draw what is new, or do nothing for a moment; false when the window does not take it.
     fn draw(&mut self) -> bool {
-        let refined = self.drawn.elapsed() >= Self::REFINE && self.pick_up();
+        let start = Instant::now();
+        let refined = start >= self.next && self.pick_up();
         let overlay = self.lines();
         let changed = refined || overlay != self.overlay || self.window.get_size() != self.frame.size();
         if !changed && self.drawn.elapsed() < Self::REDRAW {
@@ -178,6 +181,10 @@ impl<'a> Session<'a> {
             self.overlay = overlay;
         }
         self.drawn = Instant::now();
+        if refined {
+            // Drawing a very large picture takes long; most of the time is for rendering.
+            self.next = self.drawn + Self::REFINE.max(4 * start.elapsed());
+        }
         self.window.update_with_buffer(self.frame.pixels(), width, height).is_ok()
     }
 

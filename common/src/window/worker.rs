@@ -68,7 +68,10 @@ impl<'a> Worker<'a> {
                 self.change(view);
                 // Whatever else was asked for is about the new view.
                 if orders.save || orders.quit {
-                    self.mailbox.post(|again| (again.save, again.quit) = (orders.save, orders.quit));
+                    self.mailbox.post(|again| {
+                        again.save |= orders.save;
+                        again.quit |= orders.quit;
+                    });
                 }
                 continue;
             }

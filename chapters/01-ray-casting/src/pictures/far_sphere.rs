@@ -25,7 +25,7 @@ const FORMULA: Knob = Knob::choice("formula", "which formula finds the roots", &
 pub(super) const PICTURE: Picture = Picture {
     name: "far-sphere",
     alt: "The same ball of radius 1, two thousand radii away and seen through a long lens. Left, by the textbook's \
-          formula: it falls apart into rings and its edge is frayed. Right, by the stable formula: it is a smooth ball.",
+          formula: it falls apart into flat rings and looks larger than it is. Right, by the stable formula: it is a smooth ball.",
     knobs: &[DISTANCE, FORMULA],
     size: Size::of::<960, 480>(),
     samples: 16,

@@ -55,7 +55,7 @@ fn view(surface: usize, settings: &Settings) -> Result<Box<dyn Render>, Error> {
     // The surfaces hang in the air.
     scene.objects.clear();
     match surface {
-        1 => add(&mut scene, "tanglecube", Tanglecube, 3.4, step, srgb(52, 140, 140)),
+        1 => add(&mut scene, "tanglecube", Tanglecube, 3.6, step, srgb(52, 140, 140)),
         2 => add(&mut scene, "heart", Heart, 1.6, step * 0.5, srgb(200, 40, 52)),
         _ => add(&mut scene, "gyroid", Gyroid { frequency: 5.0 }, 1.5, step * 0.5, srgb(232, 186, 62)),
     };

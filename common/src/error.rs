@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::obj::ObjError;
+use crate::{film::Size, obj::ObjError};
 
 /// An error that a user can cause and mend.
 #[derive(Debug, PartialEq, thiserror::Error)]
@@ -60,4 +60,8 @@ pub enum Error {
     ClosedPipe,
 }
 
-use crate::film::Size;
+/// What the system said, without its error number.
+pub(crate) fn reason(error: &std::io::Error) -> String {
+    let text = error.to_string();
+    text.split(" (os error").next().unwrap_or(&text).to_lowercase()
+}

@@ -79,14 +79,14 @@ mod tests {
             [
                 0x3f24_eb73,
                 0x3f43_ccb3,
-                0x3f57_a02c,
-                0x3f4b_999f,
-                0x4033_a3eb,
-                0x3ee9_a1d7,
-                0x4000_e152,
-                0xbeb6_9e70,
-                0x3fcf_f300,
-                0x3f63_4d52
+                0x3f57_a036,
+                0x3f4b_9f42,
+                0x4033_83c6,
+                0x3ee9_9b5c,
+                0x4000_e153,
+                0xbeb6_9e1a,
+                0x3fcf_efc6,
+                0x3f63_4dad
             ],
             "{bits:#x?}"
         );

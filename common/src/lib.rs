@@ -1,7 +1,8 @@
 //! What no chapter of the course teaches: the film, random streams, the picture contract, the renderer, the command
 //! line and the window. It knows nothing of any chapter.
 //!
-//! The features `cli`, `threads` and `window` (all on by default) are left out for WebAssembly.
+//! The features `cli` (with it, files as output), `threads` and `window`, all on by default, are left out for
+//! WebAssembly.
 
 pub mod basis;
 #[cfg(feature = "cli")]
@@ -14,6 +15,7 @@ pub mod float;
 pub mod interval;
 pub mod knob;
 pub mod obj;
+#[cfg(feature = "cli")]
 pub mod output;
 pub mod picture;
 pub mod random;

@@ -4,7 +4,7 @@ use std::{fmt::Write as _, path::Path};
 
 use glam::Vec3;
 
-use crate::error::Error;
+use crate::error::{Error, reason};
 
 /// The triangles of an OBJ file. Polygons are cut into fans.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -52,7 +52,7 @@ pub fn read(path: &Path) -> Result<ObjMesh, Error> {
     }
     match std::fs::read(path) {
         Ok(bytes) => parse(&bytes).map_err(|error| Error::Obj { file: name, error }),
-        Err(error) => Err(Error::Read { name, reason: crate::output::reason(&error) }),
+        Err(error) => Err(Error::Read { name, reason: reason(&error) }),
     }
 }
 

@@ -14,7 +14,10 @@ use image::{
     },
 };
 
-use crate::{error::Error, film::Film};
+use crate::{
+    error::{Error, reason},
+    film::Film,
+};
 
 /// How a picture is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -119,12 +122,6 @@ fn neighbour(path: &Path) -> Result<PathBuf, Error> {
 
 fn failed(path: &Path, reason: impl ToString) -> Error {
     Error::Write { name: path.display().to_string(), reason: reason.to_string() }
-}
-
-/// What the system said, without its error number.
-pub(crate) fn reason(error: &io::Error) -> String {
-    let text = error.to_string();
-    text.split(" (os error").next().unwrap_or(&text).to_lowercase()
 }
 
 #[cfg(test)]

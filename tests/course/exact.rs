@@ -5,7 +5,7 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 use common::{Interval, Vec3};
-use ray_casting::ray::Ray;
+use ray_casting::{hit::Hit, ray::Ray, shape::Shape};
 
 /// Distance from 1 to the next f32: twice the greatest relative error of one operation.
 pub(crate) const EPSILON: f64 = f32::EPSILON as f64;
@@ -13,6 +13,9 @@ pub(crate) const EPSILON: f64 = f32::EPSILON as f64;
 /// A vector of f64.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct V(pub(crate) [f64; 3]);
+
+/// The unit vectors along x, y and z.
+pub(crate) const AXES: [V; 3] = [V([1.0, 0.0, 0.0]), V([0.0, 1.0, 0.0]), V([0.0, 0.0, 1.0])];
 
 impl V {
     pub(crate) const ZERO: V = V([0.0; 3]);
@@ -148,6 +151,41 @@ impl Answers {
         let distance = f64::from(t) * line.speed;
         let right = self.hits.iter().find(|hit| (hit.distance - distance).abs() <= hit.tolerance);
         right.copied().map(Some).ok_or_else(|| format!("a hit at {distance} instead of {self:?}"))
+    }
+}
+
+/// The surface of a shape, known by other means than the shape's own code.
+pub(crate) trait Reference {
+    /// Where a line meets the surface, in ascending order.
+    fn crossings(&self, line: &Line) -> Vec<Crossing>;
+
+    /// Judge position, normals and side of a hit at a crossing.
+    fn check_hit(&self, line: &Line, hit: &Hit, crossing: &Crossing) -> Result<(), String>;
+
+    /// Judge what a shape answers: inside the range, and when it is asked again before and behind the hit.
+    fn check(&self, shape: &dyn Shape, ray: &Ray, range: Interval, tally: &mut Tally) -> Result<(), String> {
+        let line = Line::of(ray);
+        let crossings = self.crossings(&line);
+        let ask = |range: Interval| {
+            let answers = Answers::new(&line, &crossings, range);
+            let hit = shape.intersect(ray, range);
+            let wrong = |error| format!("{ray:?} {range:?}: {error}");
+            if hit.is_some_and(|hit| !range.contains(hit.t)) {
+                return Err(wrong(format!("{hit:?} lies outside")));
+            }
+            let crossing = answers.check(&line, hit.map(|h| h.t)).map_err(wrong)?;
+            if let Some((hit, crossing)) = hit.zip(crossing) {
+                self.check_hit(&line, &hit, &crossing).map_err(wrong)?;
+            }
+            Ok((hit, answers))
+        };
+        let (hit, answers) = ask(range)?;
+        tally.count(&answers, hit.is_some());
+        if let Some(hit) = hit {
+            ask(Interval::new(hit.t, range.max))?;
+            ask(Interval::new(range.min, hit.t))?;
+        }
+        Ok(())
     }
 }
 

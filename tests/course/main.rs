@@ -3,6 +3,7 @@
 mod assets;
 mod command_line;
 mod exact;
+mod implicit;
 mod pictures;
 mod rays;
 mod shapes;

@@ -46,7 +46,9 @@ impl<F: Implicit> Shape for ImplicitSurface<F> {
             let after = value(next);
             if (before < 0.0) != (after < 0.0) {
                 let t = bisect(value, t, next);
-                return range.contains(t).then(|| Hit::new(ray, t, self.function.gradient(ray.at(t))));
+                if range.contains(t) {
+                    return Some(Hit::new(ray, t, self.function.gradient(ray.at(t))));
+                }
             }
             (t, before) = (next, after);
         }

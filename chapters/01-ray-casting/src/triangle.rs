@@ -1,8 +1,6 @@
 //! The triangle, and where on it a point lies.
 
-use common::{Interval, Vec3};
-
-use crate::{hit::Hit, ray::Ray, shape::Shape, triangle_barycentric::Shear};
+use common::Vec3;
 
 // ANCHOR: triangle
 /// Three corners, counter-clockwise when seen from outside.
@@ -39,11 +37,4 @@ impl Triangle {
         (r2 - r1).cross(r3 - r1)
     }
     // ANCHOR_END: normal
-}
-
-impl Shape for Triangle {
-    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
-        let hit = self.hit_by_barycentric(&Shear::along(ray), range)?;
-        Some(Hit::new(ray, hit.t, self.normal()))
-    }
 }

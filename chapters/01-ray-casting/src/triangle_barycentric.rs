@@ -5,7 +5,9 @@
 use common::{Interval, Mat3, Vec3};
 
 use crate::{
+    hit::Hit,
     ray::Ray,
+    shape::Shape,
     triangle::{Triangle, TriangleHit},
 };
 
@@ -92,3 +94,10 @@ fn exact_area(p: Vec3, q: Vec3) -> f32 {
     (px * qy - py * qx) as f32
 }
 // ANCHOR_END: barycentric
+
+impl Shape for Triangle {
+    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
+        let hit = self.hit_by_barycentric(&Shear::along(ray), range)?;
+        Some(Hit::new(ray, hit.t, self.normal()))
+    }
+}

@@ -12,13 +12,13 @@ use super::{
 };
 
 /// A question put to a shape.
-pub(crate) struct Question<'a> {
+struct Question<'a> {
     /// The shape with its numbers.
-    pub(crate) target: &'a str,
+    target: &'a str,
     /// The ray.
-    pub(crate) ray: &'a Ray,
+    ray: &'a Ray,
     /// The ray parameters that count.
-    pub(crate) range: Interval,
+    range: Interval,
 }
 
 impl Question<'_> {
@@ -29,7 +29,7 @@ impl Question<'_> {
     }
 
     /// A named mistake.
-    pub(crate) fn mistake(&self, name: &'static str, got: String, expected: String, advice: &str) -> Diagnosis {
+    fn mistake(&self, name: &'static str, got: String, expected: String, advice: &str) -> Diagnosis {
         Finding { tried: self.words(), got, expected, advice: advice.into() }.named(name)
     }
 }
@@ -43,35 +43,48 @@ pub(crate) struct Slack {
     pub(crate) normal: f64,
 }
 
-/// Put a ray to a shape, with all ranges that are worth it.
-pub(crate) fn compare(shape: &impl Shape, reference: &impl Reference, ray: &Ray, slack: Slack) -> Verdict {
-    let Some(crossings) = reference.crossings(ray) else { return Ok(()) };
-    let target = reference.words();
-    for range in ranges(&crossings) {
-        judge(&Question { target: &target, ray, range }, &crossings, shape.intersect(ray, range), slack)?;
-    }
-    Ok(())
+/// A surface under test: the student's, what it should be, and how far they may differ.
+pub(crate) struct Trial<S, R> {
+    /// The answer.
+    pub(crate) shape: S,
+    /// What is right.
+    pub(crate) ideal: R,
+    /// How much the answer may be off.
+    pub(crate) slack: Slack,
 }
 
-/// Ask for one particular mistake: whatever is wrong with the answer, this is its name and where to look.
-pub(crate) fn probe(
-    shape: &impl Shape,
-    reference: &impl Reference,
-    (ray, range): (&Ray, Interval),
-    (name, advice): (&'static str, &str),
-    slack: Slack,
-) -> Verdict {
-    let crossings = reference.crossings(ray).unwrap_or_default();
-    let question = Question { target: &reference.words(), ray, range };
-    let answer = shape.intersect(ray, range);
-    judge(&question, &crossings, answer, slack).map_err(|_| {
-        let expected = words::crossing(first_in(&crossings, range), ray);
-        question.mistake(name, words::answer(answer), expected, advice)
-    })
+impl<S: Shape, R: Reference> Trial<S, R> {
+    /// Ask about one ray and one range.
+    pub(crate) fn ask(&self, ray: &Ray, range: Interval) -> Verdict {
+        let crossings = self.ideal.crossings(ray).unwrap_or_default();
+        let question = Question { target: &self.ideal.words(), ray, range };
+        judge(&question, &crossings, self.shape.intersect(ray, range), self.slack)
+    }
+
+    /// Ask for one particular mistake: whatever is wrong with the answer, this is its name and where to look.
+    pub(crate) fn probe(&self, ray: &Ray, range: Interval, name: &'static str, advice: &str) -> Verdict {
+        self.ask(ray, range).map_err(|_| {
+            let crossings = self.ideal.crossings(ray).unwrap_or_default();
+            let got = words::answer(self.shape.intersect(ray, range));
+            let expected = words::crossing(first_in(&crossings, range), ray);
+            Question { target: &self.ideal.words(), ray, range }.mistake(name, got, expected, advice)
+        })
+    }
+
+    /// Ask about one ray with all ranges that are worth it. A ray that is no fair question is passed over.
+    pub(crate) fn compare(&self, ray: &Ray) -> Verdict {
+        let Some(crossings) = self.ideal.crossings(ray) else { return Ok(()) };
+        ranges(&crossings).into_iter().try_for_each(|range| self.ask(ray, range))
+    }
+
+    /// Whether none of these rays hits the answer, whatever lies in front of the rays.
+    pub(crate) fn is_never_hit(&self, rays: &[Ray]) -> bool {
+        rays.iter().all(|ray| self.shape.intersect(ray, Interval::POSITIVE).is_none())
+    }
 }
 
 /// Accept the answer to a question, or name the mistake. `crossings` are all there are, inside and outside the range.
-pub(crate) fn judge(question: &Question, crossings: &[Crossing], answer: Option<Hit>, slack: Slack) -> Verdict {
+fn judge(question: &Question, crossings: &[Crossing], answer: Option<Hit>, slack: Slack) -> Verdict {
     let (ray, range) = (question.ray, question.range);
     let expected = first_in(crossings, range);
     let mistake = |name, advice: &str| {

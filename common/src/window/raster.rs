@@ -109,15 +109,16 @@ fn fitted((width, height): (usize, usize), (into_width, into_height): (usize, us
 
 /// The mean of screen pixels, each channel by itself.
 fn mean<'a>(pixels: impl Iterator<Item = &'a u32>) -> u32 {
-    let (mut sum, mut count) = ([0; 4], 0);
+    let (mut sum, mut count) = ([0_u64; 4], 0);
     for pixel in pixels {
         for (sum, byte) in sum.iter_mut().zip(pixel.to_be_bytes()) {
-            *sum += u32::from(byte);
+            *sum += u64::from(byte);
         }
         count += 1;
     }
-    let [_, r, g, b] = sum.map(|channel| channel / count.max(1));
-    r << 16 | g << 8 | b
+    #[expect(clippy::cast_possible_truncation, reason = "a mean of bytes is a byte")]
+    let mean = sum.map(|channel| (channel / count.max(1)) as u8);
+    u32::from_be_bytes(mean)
 }
 
 #[cfg(test)]
@@ -151,6 +152,8 @@ mod tests {
         let small = numbered(4, 2).stretched(Size::of::<2, 1>());
         // Means of 0, 1, 4, 5 and of 2, 3, 6, 7, rounded down.
         assert_eq!(small.pixels(), [2, 4]);
+        let white = std::iter::repeat_n(&0xFF_FF_FF, 20_000_000);
+        assert_eq!(mean(white), 0xFF_FF_FF);
         assert_eq!(mean([0x10_20_30, 0x30_20_10].iter()), 0x20_20_20);
     }
 

@@ -133,6 +133,10 @@ fn four_roots<S: Shape>(ring: &Trial<S, Ideal>, down: &Ray, across: &Ray) -> Ver
     let through_hole = Ray::new(Vec3::new(0.3, 3.0, 0.2), -Vec3::Y);
     let advice = "This ray goes through the hole. With no sign change and no root there is no hit.";
     ring.probe(&through_hole, Interval::POSITIVE, "hole-filled", advice)?;
+    let equator = Ray::new(Vec3::X * 5.0, -Vec3::X);
+    let advice = "This ray meets the ring at its outermost place. If you look for roots inside a sphere around the torus, make \
+                  it a little too large: at its very edge, rounding decides which sign the quartic has.";
+    ring.probe(&equator, Interval::POSITIVE, "rim-lost", advice)?;
     let advice = "This ray meets the ring four times, and the nearest hit in the range counts. Sort the roots, or look for \
                   them from the near end on.";
     ring.probe(across, Interval::POSITIVE, "not-nearest", advice)?;

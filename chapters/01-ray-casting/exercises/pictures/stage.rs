@@ -1,0 +1,95 @@
+//! What several pictures share: a dark stage, a warm lamp, a cool sun, and things that stand anywhere.
+
+use common::{
+    Error, Interval, Rgb, Vec3,
+    color::srgb,
+    knob::Values,
+    obj::ObjMesh,
+    picture::{ORBIT, Picture, Render, Settings},
+};
+use ray_casting::{
+    camera::Camera,
+    frame::Frame,
+    hit::Hit,
+    light::{DirectionalLight, Light as _, PointLight},
+    local_illumination::{LocalIllumination, Terms},
+    material::Phong,
+    mesh::{Mesh, Shading},
+    ray::Ray,
+    scene::Scene,
+    shape::Shape,
+};
+
+/// Makes a picture of what a user has chosen.
+pub(super) type Make = fn(&Settings) -> Result<Box<dyn Render>, Error>;
+
+/// A picture with a camera that can be moved.
+pub(super) const fn picture(name: &'static str, alt: &'static str, make: Make) -> Picture {
+    let size = common::film::Size::of::<960, 540>();
+    Picture { name, alt, knobs: &ORBIT, size, samples: 16, takes_mesh: false, make }
+}
+
+/// A dark scene under a cool sun from the left and a warm lamp from the right.
+pub(super) fn lit() -> Scene<Phong> {
+    let mut scene = Scene::new();
+    scene.ambient = Rgb::new(0.10, 0.12, 0.16);
+    scene.light(sun());
+    scene.light(PointLight { position: Vec3::new(2.6, 4.2, 3.4), intensity: Rgb::new(21.0, 18.0, 14.0) });
+    scene
+}
+
+fn sun() -> DirectionalLight {
+    DirectionalLight::new(Vec3::new(-0.85, 0.42, -0.32), Rgb::new(0.62, 0.72, 0.95))
+}
+
+/// The same with a floor that fades into the background.
+pub(super) fn stage() -> Result<Scene<Phong>, Error> {
+    let mut scene = lit();
+    let floor = Phong::of(srgb(104, 112, 128), 0.0, 1.0);
+    // Far from the lamp the floor shows the ambient light and the sun. The background is the same.
+    let sun = sun().illuminate(Vec3::ZERO);
+    scene.background = floor.ambient * scene.ambient + sun.strength * floor.diffuse_term(sun.direction, Vec3::Y);
+    scene.add("floor", square(400.0)?, floor);
+    Ok(scene)
+}
+
+/// A square on the ground around the origin, with sides of twice `half` scene units.
+pub(super) fn square(half: f32) -> Result<Mesh, Error> {
+    let corner = |x: f32, z: f32| Vec3::new(x * half, 0.0, z * half);
+    let obj = ObjMesh {
+        positions: vec![corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)],
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        ..ObjMesh::default()
+    };
+    Mesh::new(&obj, Shading::Flat)
+}
+
+/// A camera that the knobs move.
+pub(super) fn camera(eye: [f32; 3], lookat: [f32; 3], field_of_view: f32, values: &Values) -> Result<Camera, Error> {
+    Camera::orbited(Vec3::from_array(eye), Vec3::from_array(lookat), field_of_view, values)
+        .map_err(|error| Error::Picture(error.to_string()))
+}
+
+/// A scene as that camera sees it.
+pub(super) fn view(scene: Scene<Phong>, camera: Camera) -> Box<dyn Render> {
+    Box::new(LocalIllumination { scene, camera, terms: Terms::ALL })
+}
+
+/// A shape moved and turned. Nothing is stretched, so ray parameters keep their meaning.
+pub(super) struct Placed<S> {
+    /// The shape around the origin.
+    pub(super) shape: S,
+    /// Where it stands.
+    pub(super) frame: Frame,
+}
+
+impl<S: Shape> Shape for Placed<S> {
+    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
+        let frame = &self.frame;
+        let local = Ray::new(frame.point_to_local(ray.origin), frame.vector_to_local(ray.direction));
+        let hit = self.shape.intersect(&local, range)?;
+        let [geometric_normal, shading_normal] =
+            [hit.geometric_normal, hit.shading_normal].map(|n| frame.vector_to_world(n));
+        Some(Hit { position: ray.at(hit.t), geometric_normal, shading_normal, ..hit })
+    }
+}

@@ -156,8 +156,8 @@ impl Knob {
                 let next = match (step, up) {
                     (Step::Add(s), true) => round_to(value + s, s),
                     (Step::Add(s), false) => round_to(value - s, s),
-                    (Step::Times(s), true) => value * s,
-                    (Step::Times(s), false) => value / s,
+                    (Step::Times(s), true) => four_digits(value * s),
+                    (Step::Times(s), false) => four_digits(value / s),
                     (Step::Whole, true) => value + 1.0,
                     (Step::Whole, false) => value - 1.0,
                 };
@@ -181,6 +181,12 @@ fn unit_suffix(unit: &str) -> String {
 fn round_to(value: f32, step: f32) -> f32 {
     let rounded = (value / step).round() * step;
     (rounded * 1e4).round() / 1e4
+}
+
+/// The nearest number with four significant digits.
+fn four_digits(value: f32) -> f32 {
+    // A number that was just written can be read again.
+    format!("{value:.3e}").parse().unwrap_or(value)
 }
 
 /// The index that a choice keeps as a number.
@@ -264,6 +270,8 @@ mod tests {
         assert_eq!(ROOT.turned(0.0, false), 1.0);
         assert_eq!(BUG.turned(0.0, false), 1.0);
         assert_eq!(COUNT.turned(1.0, false), 1.0);
+        let zoom = Knob::number("zoom", "how near", [0.1, 10.0], 1.0, "", Step::Times(1.1));
+        assert_eq!(zoom.show(zoom.turned(zoom.turned(1.0, true), true)), "1.21");
     }
 
     #[test]

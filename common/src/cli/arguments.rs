@@ -185,10 +185,10 @@ fn command(chapter: &Chapter) -> Command {
         .arg(Arg::new("picture").value_name("PICTURE").help("Which picture; the chapter's cover if none is named"))
         .arg(flag("list", "List the pictures with their knobs"))
         .arg(
-            option("set", "KNOB=VALUE", value_parser!(String).into(), "Turn a knob of the picture; may be repeated")
+            option("set", "KNOB=VALUE", value_parser!(String), "Turn a knob of the picture; may be repeated")
                 .action(ArgAction::Append),
         )
-        .arg(option("mesh", "FILE", value_parser!(PathBuf).into(), "Show the mesh in this OBJ file"))
+        .arg(option("mesh", "FILE", value_parser!(PathBuf), "Show the mesh in this OBJ file"))
         .arg(option("size", "WxH", ValueParser::new(size), "Width and height in pixels"))
         .arg(option("samples", "N", ValueParser::new(samples), "Samples per pixel, 1 to 100 million"))
         .arg(option("seed", "N", value_parser!(u64).into(), "Seed of the random numbers [default: 0]"))
@@ -197,7 +197,7 @@ fn command(chapter: &Chapter) -> Command {
         .arg(option(
             "output",
             "FILE",
-            value_parser!(PathBuf).into(),
+            value_parser!(PathBuf),
             "File to write, .png or .exr; - for standard output",
         ))
         .arg(flag("no-window", "Do not open a window"))

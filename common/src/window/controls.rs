@@ -87,8 +87,7 @@ impl<'a> Controls<'a> {
     /// Turn a knob, if there is one, by one step.
     fn turn(&mut self, knob: Option<&Knob>, up: bool) {
         if let Some(knob) = knob {
-            let value = knob.turned(self.values.number(knob), up);
-            self.values.set(knob, tidy(knob, value));
+            self.values.set(knob, knob.turned(self.values.number(knob), up));
         }
     }
 
@@ -156,14 +155,6 @@ impl<'a> Controls<'a> {
 /// The picture's own knob of that name, which may have another range or default.
 fn own(picture: &'static Picture, knob: &Knob) -> Option<&'static Knob> {
     picture.knobs.iter().find(|k| k.name == knob.name)
-}
-
-/// A value that was multiplied, with four significant digits as long as that is in the knob's range.
-fn tidy(knob: &Knob, value: f32) -> f32 {
-    match knob.kind {
-        Kind::Number { step: Step::Times(_), .. } => knob.parse(&format!("{value:.3e}")).unwrap_or(value),
-        _ => value,
-    }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! The window: a picture refines while it is watched, its knobs are on keys, its camera is on the mouse.
 //!
 //! Two threads share the work. The one that opened the window polls keys and mouse, draws, and never waits; the
-//! [`worker`] renders and saves. Orders go to the worker through a [`mailbox`]; what is to be seen comes back in
-//! [`shown`].
+//! `worker` renders and saves. Orders go to the worker through a `mailbox`; what is to be seen comes back in
+//! `shown`.
 
 mod controls;
 #[cfg(test)]

@@ -56,6 +56,8 @@ impl<'a> Session<'a> {
     const IN_VIEW: Duration = Duration::from_secs(6);
     /// How often a picture that refines is drawn; keys and mouse act at once.
     const REFINE: Duration = Duration::from_millis(33);
+    /// The same for pictures so large that drawing them takes long.
+    const SELDOM: Duration = Duration::from_millis(500);
     /// How often a picture that does not change is drawn, in case that something covered the window.
     const REDRAW: Duration = Duration::from_millis(250);
     /// How often keys and mouse are polled, a second.
@@ -183,7 +185,7 @@ impl<'a> Session<'a> {
         self.drawn = Instant::now();
         if refined {
             // Drawing a very large picture takes long; most of the time is for rendering.
-            self.next = self.drawn + Self::REFINE.max(4 * start.elapsed());
+            self.next = self.drawn + (4 * start.elapsed()).clamp(Self::REFINE, Self::SELDOM);
         }
         self.window.update_with_buffer(self.frame.pixels(), width, height).is_ok()
     }
@@ -195,7 +197,7 @@ impl<'a> Session<'a> {
             self.message = Some((line, Instant::now()));
         }
         let title = shown.title(self.chapter.title, self.controls.picture.name);
-        let is_new = shown.version != self.version || self.picture.size() != shown.raster.size();
+        let is_new = shown.version != self.version;
         if is_new {
             self.picture.copy(&shown.raster);
             self.version = shown.version;

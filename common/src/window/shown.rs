@@ -30,6 +30,7 @@ impl Shown {
     pub(crate) fn restart(&mut self, size: Size, total: u32) {
         if self.raster.size() != Raster::of(size).size() {
             self.raster = self.raster.stretched(size);
+            self.version += 1;
         }
         (self.samples, self.total, self.error) = (0, total, None);
     }

@@ -7,7 +7,8 @@ use common::{
     story::{Story, triple},
 };
 
-use crate::{ray::Ray, triangle::Triangle, triangle_barycentric::Shear};
+use super::edges::straight_at;
+use crate::{triangle::Triangle, triangle_barycentric::Shear};
 
 pub(super) const PICTURE: Picture = Picture {
     name: "barycentric",
@@ -32,8 +33,7 @@ struct Weights {
 
 impl Integrator for Weights {
     fn radiance(&self, point: FilmPoint, _random: &mut Stream, story: &mut impl Story) -> Rgb {
-        let ndc = point.ndc();
-        let ray = Ray::new(Vec3::new(ndc.x * point.aspect(), ndc.y, 1.0), -Vec3::Z);
+        let ray = straight_at(point);
         let hit = self.triangle.hit_by_barycentric(&Shear::along(&ray), Interval::POSITIVE);
         let Some(hit) = hit else { return Rgb::splat(0.012) };
         let weights = Rgb::from_array(hit.weights);

@@ -27,6 +27,12 @@ fn make(_settings: &Settings) -> Result<Box<dyn Render>, Error> {
     Ok(Box::new(Edges { triangle }))
 }
 
+/// The ray through a point of the film at right angles to the plane z = 0; the film is 2 units high there.
+pub(super) fn straight_at(point: FilmPoint) -> Ray {
+    let ndc = point.ndc();
+    Ray::new(Vec3::new(ndc.x * point.aspect(), ndc.y, 1.0), -Vec3::Z)
+}
+
 /// Asks each edge of a triangle on its own.
 struct Edges {
     triangle: Triangle,
@@ -34,8 +40,7 @@ struct Edges {
 
 impl Integrator for Edges {
     fn radiance(&self, point: FilmPoint, _random: &mut Stream, story: &mut impl Story) -> Rgb {
-        let ndc = point.ndc();
-        let ray = Ray::new(Vec3::new(ndc.x * point.aspect(), ndc.y, 1.0), -Vec3::Z);
+        let ray = straight_at(point);
         let [r1, r2, r3] = self.triangle.corners;
         let n = self.triangle.normal();
         let p = ray.at((r1 - ray.origin).dot(n) / ray.direction.dot(n));

@@ -1,21 +1,14 @@
 //! What a hit knows: how far, and on which side.
 
 use common::{
-    Error, Interval, Rgb, Stream,
+    Error, Rgb,
     color::srgb,
     film::Size,
-    picture::{FilmPoint, Integrator, ORBIT, Picture, Render, Settings},
-    story::{Story, number},
+    picture::{ORBIT, Picture, Render, Settings},
 };
 
-use super::still_life;
-use crate::{
-    camera::Camera,
-    hit::Side,
-    local_illumination::{tell_hit, tell_ray},
-    material::Phong,
-    scene::Scene,
-};
+use super::by_hit::still_life_by;
+use crate::hit::{Hit, Side};
 
 pub(super) const PICTURE: Picture = Picture {
     name: "hits",
@@ -29,29 +22,18 @@ pub(super) const PICTURE: Picture = Picture {
 };
 
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
-    Ok(Box::new(Hits { scene: still_life::scene()?, camera: still_life::view(settings)? }))
+    still_life_by(side_and_distance, settings)
 }
 
-/// Shows side and distance of the nearest hits.
-struct Hits {
-    scene: Scene<Phong>,
-    camera: Camera,
+// ANCHOR: hits
+/// Blue outside, orange inside; the farther, the darker.
+fn side_and_distance(hit: &Hit) -> Rgb {
+    /// Distances at which the colour is full and at which it is gone, in scene units.
+    const FADE: [f32; 2] = [7.0, 12.0];
+    let color = match hit.side {
+        Side::Outside => srgb(120, 175, 235),
+        Side::Inside => srgb(255, 150, 60),
+    };
+    color * ((FADE[1] - hit.t) / (FADE[1] - FADE[0])).clamp(0.0, 1.0)
 }
-
-impl Integrator for Hits {
-    fn radiance(&self, point: FilmPoint, _random: &mut Stream, story: &mut impl Story) -> Rgb {
-        /// Distances at which the colour is full and at which it is gone, in scene units.
-        const FADE: [f32; 2] = [7.0, 12.0];
-        let ray = self.camera.ray(point);
-        tell_ray(story, &ray);
-        let Some((hit, object)) = self.scene.intersect(&ray, Interval::POSITIVE) else { return Rgb::ZERO };
-        tell_hit(story, &hit, object);
-        let color = match hit.side {
-            Side::Outside => srgb(120, 175, 235),
-            Side::Inside => srgb(255, 150, 60),
-        };
-        let nearness = ((FADE[1] - hit.t) / (FADE[1] - FADE[0])).clamp(0.0, 1.0);
-        story.tell(|| format!("colour of its side, times nearness {}", number(nearness)));
-        color * nearness
-    }
-}
+// ANCHOR_END: hits

@@ -2,6 +2,7 @@
 
 mod ambient;
 mod barycentric;
+mod by_hit;
 mod edges;
 mod far_sphere;
 mod field_of_view;

@@ -1,19 +1,13 @@
 //! Normals as colours.
 
 use common::{
-    Error, Interval, Rgb, Stream,
+    Error, Rgb,
     film::Size,
-    picture::{FilmPoint, Integrator, ORBIT, Picture, Render, Settings},
-    story::{Story, triple},
+    picture::{ORBIT, Picture, Render, Settings},
 };
 
-use super::still_life;
-use crate::{
-    camera::Camera,
-    local_illumination::{tell_hit, tell_ray},
-    material::Phong,
-    scene::Scene,
-};
+use super::by_hit::still_life_by;
+use crate::hit::Hit;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "normals",
@@ -28,26 +22,13 @@ pub(super) const PICTURE: Picture = Picture {
 };
 
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
-    Ok(Box::new(Normals { scene: still_life::scene()?, camera: still_life::view(settings)? }))
-}
-
-/// Shows the shading normals of a scene.
-struct Normals {
-    scene: Scene<Phong>,
-    camera: Camera,
+    still_life_by(normal_as_color, settings)
 }
 
 // ANCHOR: normals
-impl Integrator for Normals {
-    fn radiance(&self, point: FilmPoint, _random: &mut Stream, story: &mut impl Story) -> Rgb {
-        let ray = self.camera.ray(point);
-        tell_ray(story, &ray);
-        let Some((hit, object)) = self.scene.intersect(&ray, Interval::POSITIVE) else { return Rgb::ZERO };
-        tell_hit(story, &hit, object);
-        // Coordinates run from −1 to 1, colours from 0 to 1.
-        let color = (hit.shading_normal + 1.0) / 2.0;
-        story.tell(|| format!("(normal + 1) / 2 = {}", triple(color)));
-        color * color
-    }
+/// Coordinates run from −1 to 1, colours from 0 to 1. The square makes the steps look even on a screen.
+fn normal_as_color(hit: &Hit) -> Rgb {
+    let color = (hit.shading_normal + 1.0) / 2.0;
+    color * color
 }
 // ANCHOR_END: normals

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 command=(cargo build)
-if command -v rustup >/dev/null 2>&1 && rustup target list --installed | grep -q wasm32-unknown-unknown; then
+if command -v rustup >/dev/null 2>&1 && rustup target list --installed | grep wasm32-unknown-unknown >/dev/null; then
   :
 elif [ -x /usr/bin/cargo ] && command -v wasm-ld >/dev/null 2>&1; then
   # Debian's compiler ships the sources of the standard library instead of a compiled one.

@@ -58,6 +58,9 @@ fn figure(
     block.push(&format!(
         "<a href=\"{file}\"><img src=\"{file}\" alt=\"{alt}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\"></a>"
     ));
+    if let Some(live) = output.module.as_ref().and_then(|module| module.place(page, chapter, picture)) {
+        block.push(&output.on_screen(live));
+    }
     block.push("<figcaption>\n");
     block.append(caption);
     // As ready HTML, or mdBook makes a dash of the two hyphens.

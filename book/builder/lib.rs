@@ -24,6 +24,7 @@ mod knows;
 mod layout;
 mod links;
 mod listing;
+mod live;
 mod math;
 mod number;
 mod output;
@@ -46,6 +47,12 @@ use crate::house::House;
 /// [`BookError`], with all mistakes in the text that were found.
 pub fn build(root: &Path, out: &Path) -> Result<(), BookError> {
     render::build(&House::new(root, course::CHAPTERS), out)
+}
+
+/// What the book of the workspace in `root` lacks although nothing is wrong with it, in one line; `None` if nothing.
+#[must_use]
+pub fn note(root: &Path) -> Option<String> {
+    live::note(&House::new(root, course::CHAPTERS))
 }
 
 /// What is wrong with the book of the workspace in `root` that was built into `out`: one line for each problem.

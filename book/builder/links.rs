@@ -84,12 +84,18 @@ fn resources<'a>(tag: &'a Tag<'_>) -> impl Iterator<Item = &'a str> {
     let style = tag.attribute("style").into_iter().flat_map(loads);
     let set =
         tag.attribute("srcset").into_iter().flat_map(|set| set.split(',').filter_map(|s| s.split_whitespace().next()));
-    [href, tag.attribute("src"), tag.attribute("poster"), tag.attribute("data").filter(|_| tag.name == "object")]
-        .into_iter()
-        .flatten()
-        .chain(style)
-        .chain(set)
-        .filter(|address| !address.starts_with("data:"))
+    [
+        href,
+        tag.attribute("src"),
+        tag.attribute("data-module"),
+        tag.attribute("poster"),
+        tag.attribute("data").filter(|_| tag.name == "object"),
+    ]
+    .into_iter()
+    .flatten()
+    .chain(style)
+    .chain(set)
+    .filter(|address| !address.starts_with("data:"))
 }
 
 /// Whether an address starts with `http:`, `mailto:` and the like.

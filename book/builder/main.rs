@@ -76,6 +76,9 @@ fn build(root: &Path, out: &Path, task: Task) -> Result<(), String> {
     book::build(root, out).map_err(|error| error.to_string())?;
     let page = out.join("index.html");
     println!("The book is in {}", page.display());
+    if let Some(note) = book::note(root) {
+        println!("{note}");
+    }
     if task.check {
         let problems = book::check(root, out);
         if !problems.is_empty() {
@@ -97,7 +100,7 @@ fn show(root: &Path, out: &Path, port: u16, is_opened: bool) -> Result<(), Strin
     }
     serve::serve(root, out, listener, |problem| match problem {
         Some(problem) => eprintln!("{problem}"),
-        None => println!("built"),
+        None => println!("built{}", book::note(root).map_or_else(String::new, |note| format!("; {note}"))),
     });
     Ok(())
 }

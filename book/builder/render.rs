@@ -12,8 +12,9 @@ use crate::{
     expand::Page,
     figure,
     house::{House, files_under, name_of},
+    live::Module,
     math,
-    output::Output,
+    output::{Medium, Output},
     warnings,
 };
 
@@ -66,6 +67,9 @@ fn write(house: &House, out: &Path) -> Result<(), BookError> {
     refuse(warnings)?;
 
     fill(&out, &output)?;
+    if let Some(module) = &output.module {
+        module.write(&out)?;
+    }
     copy_pictures(house, &out, &output)
 }
 
@@ -81,7 +85,7 @@ fn refuse(warnings: Vec<String>) -> Result<(), BookError> {
 
 /// Replace directives and formulas in all pages.
 fn expand(house: &House, book: &mut MDBook) -> Result<Output, BookError> {
-    let mut output = Output::default();
+    let mut output = Output::new(Module::of(house));
     let mut mistakes: Vec<Mistake> = Vec::new();
     book.book.for_each_mut(|item| {
         if let BookItem::Chapter(chapter) = item
@@ -102,7 +106,8 @@ fn expand(house: &House, book: &mut MDBook) -> Result<Output, BookError> {
 fn fill(out: &Path, output: &Output) -> Result<(), BookError> {
     for path in files_under(out).into_iter().filter(|path| path.extension().is_some_and(|e| e == "html")) {
         let page = fs::read_to_string(&path).map_err(BookError::file(&path))?;
-        fs::write(&path, output.fill(&page)).map_err(BookError::file(&path))?;
+        let medium = if path == out.join("print.html") { Medium::Paper } else { Medium::Screen };
+        fs::write(&path, output.fill(&page, medium)).map_err(BookError::file(&path))?;
     }
     Ok(())
 }

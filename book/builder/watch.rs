@@ -9,7 +9,7 @@ use std::{
 use crate::house::files_under;
 
 /// What the book is made of, relative to the root of the workspace.
-const SOURCES: [&str; 8] = [
+const SOURCES: [&str; 9] = [
     "book/book.toml",
     "book/src",
     "book/theme",
@@ -18,6 +18,7 @@ const SOURCES: [&str; 8] = [
     "tests/snapshots",
     "tests/numbers",
     "Cargo.toml",
+    crate::live::MODULE,
 ];
 
 /// A number that changes when a source of the book is written, added or removed.

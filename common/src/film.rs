@@ -69,8 +69,10 @@ impl Size {
     /// The same shape, with `side` pixels along the longer side.
     #[must_use]
     pub fn scaled_to(self, side: u32) -> Self {
-        let longer = self.width.max(self.height);
-        let scale = |n: u32| ((n * side + longer / 2) / longer).clamp(1, Self::MAX_SIDE);
+        let longer = u64::from(self.width.max(self.height));
+        // Rounded to the nearest pixel; at least one, and no more than the limits allow.
+        let scaled = |n: u32| (u64::from(n) * u64::from(side) + longer / 2) / longer;
+        let scale = |n: u32| u32::try_from(scaled(n)).unwrap_or(u32::MAX).clamp(1, Self::MAX_SIDE);
         Self { width: scale(self.width), height: scale(self.height) }
     }
 }

@@ -89,8 +89,9 @@ fn passes(picture: &dyn Render, film: &mut Film, plan: &Plan, watch: &dyn Watch)
     Ending::Finished
 }
 
-/// Add samples to the pixels of one tile until each has `until`.
-fn fill_tile(picture: &dyn Render, tile: &mut Tile, size: Size, plan: &Plan, until: u32) {
+/// Add samples to the pixels of one tile until each has `until`: a piece of [`render`] for those who divide the work
+/// themselves. The result is the same whoever renders which tile, in whatever order.
+pub fn fill_tile(picture: &dyn Render, tile: &mut Tile, size: Size, plan: &Plan, until: u32) {
     for (x, y, pixel) in tile.pixels_mut() {
         for sample in pixel.count()..until {
             let (point, mut random) = film_point((x, y), size, plan, sample);

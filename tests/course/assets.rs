@@ -99,7 +99,7 @@ fn gem() -> String {
             let corner = |i: usize| {
                 let around = on_circle(width, 0.0, i as f32 / 6.0 + 0.04);
                 // Every other side is wider, as in quartz.
-                let around = around * if i % 2 == 0 { 1.0 } else { 0.9 };
+                let around = around * if i.is_multiple_of(2) { 1.0 } else { 0.9 };
                 axis * along + basis.tangent * around.x + basis.bitangent * around.z
             };
             (0..6).map(|i| obj.vertex(corner(i))).collect()

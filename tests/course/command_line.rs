@@ -189,6 +189,8 @@ fn unusable_meshes_are_explained_in_one_line() {
         ("damaged.obj", b"v 0 0 0\nv 1 0 0\nv 0 1\nf 1 2 3\n"),
         ("outside.obj", b"v 0 0 0\nf 1 2 3\n"),
         ("infinite.obj", b"v 0 0 1e99\nf 1 1 1\n"),
+        ("huge.obj", b"v 3e38 0 0\nv -3e38 0 0\nv 0 3e38 0\nf 1 2 3\n"),
+        ("tiny.obj", b"v 1e-40 0 0\nv 0 0 0\nv 0 1e-40 0\nf 1 2 3\n"),
     ] {
         fs::write(folder.join(name), bytes).unwrap();
     }
@@ -203,6 +205,9 @@ fn unusable_meshes_are_explained_in_one_line() {
         ("infinite.obj", "no finite number"),
     ] {
         fails(folder, &["--mesh", name, "--no-window"], 1, &[name, part]);
+    }
+    for name in ["huge.obj", "tiny.obj"] {
+        fails(folder, &["--mesh", name, "--no-window"], 1, &["the mesh has a radius of", "can be framed"]);
     }
 }
 

@@ -37,11 +37,6 @@ impl V {
         self * (1.0 / self.length())
     }
 
-    /// Product coordinate by coordinate.
-    pub(crate) fn each(self, V([x, y, z]): V) -> V {
-        V([self.0[0] * x, self.0[1] * y, self.0[2] * z])
-    }
-
     /// Rounded to f32.
     pub(crate) fn to_f32(self) -> Vec3 {
         Vec3::from_array(self.0.map(|x| x as f32))

@@ -1,6 +1,8 @@
 //! Implicit surfaces against their functions in f64, marched in finer steps.
 
-use common::{Interval, Stream, Vec3};
+#![expect(clippy::disallowed_methods, reason = "f64 has digits to spare: its last bits do not matter here")]
+
+use common::{Stream, Vec3};
 use ray_casting::{
     hit::{Hit, Side},
     implicit::{Gyroid, Heart, Implicit, ImplicitSurface, Tanglecube},
@@ -21,7 +23,7 @@ pub(crate) struct Zeros {
     pub(crate) function: fn(V) -> f64,
     /// The same function with all its terms made positive: how large the numbers are that are rounded.
     pub(crate) terms: fn(V) -> f64,
-    radius: f64,
+    pub(crate) radius: f64,
     /// Step of the march that is judged. It may miss two zeros that are closer together.
     step: f64,
 }
@@ -46,7 +48,6 @@ fn heart_terms(V([x, y, z]): V) -> f64 {
 }
 
 /// A gyroid of frequency 5.
-#[expect(clippy::disallowed_methods, reason = "the last bits of f64 do not matter here")]
 pub(crate) fn gyroid(p: V) -> f64 {
     let [(sx, cx), (sy, cy), (sz, cz)] = p.0.map(|x| (5.0 * x).sin_cos());
     sx * cy + sy * cz + sz * cx
@@ -69,7 +70,7 @@ impl Zeros {
     }
 
     /// How fast the gradient changes.
-    fn bend(&self, p: V) -> f64 {
+    pub(crate) fn bend(&self, p: V) -> f64 {
         const STEP: f64 = 1e-4;
         let change = |axis: V| (self.gradient(p + axis * STEP) - self.gradient(p)).length() / STEP;
         AXES.map(change).into_iter().fold(0.0, f64::max)
@@ -132,8 +133,7 @@ impl Reference for Zeros {
         let middle = -line.origin.dot(line.direction);
         let aside2 = line.at(middle).dot(line.at(middle));
         let slack = 2.0 * self.radius * self.blur(line);
-        let [sure, perhaps] =
-            [-slack, slack].map(|slack| (self.radius * self.radius - aside2 + slack).max(0.0).sqrt());
+        let [sure, perhaps] = [-slack, slack].map(|slack| (self.radius * self.radius - aside2 + slack).max(0.0).sqrt());
         let sure = [middle - sure, middle + sure];
         // March through it in half steps.
         let value = |distance: f64| (self.function)(line.at(distance));

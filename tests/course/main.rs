@@ -1,13 +1,21 @@
 //! Tests that look at the whole course from outside, one file for each thing looked at.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "in a test, helpers may fail too")]
+
 mod assets;
 mod book;
+mod camera;
 mod command_line;
 mod exact;
 mod house;
 mod icosphere;
+mod illumination;
 mod implicit;
+mod meshes;
+mod normals;
+mod numbers;
 mod pictures;
 mod rays;
 mod shapes;
+mod stories;
 mod triangles;

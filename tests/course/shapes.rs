@@ -1,5 +1,7 @@
 //! Sphere and quadrics against their equations, solved in f64.
 
+#![expect(clippy::disallowed_methods, reason = "f64 has digits to spare: its last bits do not matter here")]
+
 use common::{Interval, Stream, Vec3};
 use ray_casting::{
     frame::Frame,
@@ -19,11 +21,11 @@ use crate::{
 const ROUNDINGS: f64 = 4.0;
 
 /// A surface of second degree as the books write it: the zeros of a function, between two heights, in a turned frame.
-struct Surface {
-    function: Box<dyn Fn(V) -> f64>,
+pub(crate) struct Surface {
+    pub(crate) function: Box<dyn Fn(V) -> f64>,
     heights: [f64; 2],
     /// Radius of a ball around all of it.
-    size: f64,
+    pub(crate) size: f64,
     center: V,
     /// Axes and angles in degrees by which it was turned, in order.
     turns: Vec<(V, f64)>,
@@ -39,13 +41,13 @@ impl Surface {
     }
 
     /// The gradient by central differences: exact for functions of second degree, whatever the step.
-    fn gradient(&self, p: V) -> V {
+    pub(crate) fn gradient(&self, p: V) -> V {
         let slope = |axis: V| ((self.function)(p + axis * self.size) - (self.function)(p - axis * self.size)) * 0.5;
         V(AXES.map(slope)) * (1.0 / self.size)
     }
 
     /// The greatest second derivative along an axis.
-    fn bend(&self) -> f64 {
+    pub(crate) fn bend(&self) -> f64 {
         let bend = |axis: V| (self.function)(axis) + (self.function)(-axis) - 2.0 * (self.function)(V::ZERO);
         AXES.map(bend).map(f64::abs).into_iter().fold(0.0, f64::max)
     }
@@ -145,7 +147,6 @@ impl Reference for Surface {
 }
 
 /// A vector turned about a unit axis: what lies along the axis stays, what lies across it goes round.
-#[expect(clippy::disallowed_methods, reason = "the last bits of f64 do not matter here")]
 fn turned(v: V, axis: V, degrees: f64) -> V {
     let along = axis * v.dot(axis);
     let across = v - along;
@@ -184,7 +185,7 @@ fn random_sphere(random: &mut Stream) -> (Sphere, Surface) {
 }
 
 /// A random quadric of one of the six kinds in a random frame, and its equation from the gallery.
-fn random_quadric(kind: usize, random: &mut Stream) -> (Quadric, Surface) {
+pub(crate) fn random_quadric(kind: usize, random: &mut Stream) -> (Quadric, Surface) {
     let mut number = || between(random, 0.3, 2.0);
     let (p, q, r) = (number(), number(), number());
     let [a, b, c] = [p, q, r].map(f64::from);

@@ -3,6 +3,7 @@
 pub mod bits;
 #[cfg(target_arch = "wasm32")]
 mod exports;
+pub mod live;
 
 use common::picture::Chapter;
 

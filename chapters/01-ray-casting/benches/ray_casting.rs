@@ -62,7 +62,9 @@ fn mesh(c: &mut Criterion) {
     let triangles: Vec<_> = (0..1000).map(|_| Triangle::new(corner(), corner(), corner())).collect();
     let mut group = c.benchmark_group("one ray, 1000 triangles");
     group.bench_function("by edges", |b| {
-        b.iter(|| triangles.iter().filter(|t| t.hit_by_edges(black_box(&rays[0]), Interval::POSITIVE).is_some()).count());
+        b.iter(|| {
+            triangles.iter().filter(|t| t.hit_by_edges(black_box(&rays[0]), Interval::POSITIVE).is_some()).count()
+        });
     });
     group.bench_function("by barycentric coordinates", |b| {
         b.iter(|| {

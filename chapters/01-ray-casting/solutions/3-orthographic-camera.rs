@@ -93,9 +93,8 @@ mod checks;
 mod pictures;
 
 /// What your camera sees.
-const PICTURE: Picture = pictures::orthographic_camera::picture(|settings| {
-    pictures::orthographic_camera::make(settings, camera)
-});
+const PICTURE: Picture =
+    pictures::orthographic_camera::picture(|settings| pictures::orthographic_camera::make(settings, camera));
 
 /// Your camera as a function from film points to rays.
 fn camera(eye: Vec3, lookat: Vec3, up: Vec3, side: f32) -> impl Fn(FilmPoint) -> Ray {

@@ -16,7 +16,7 @@ pub struct Illumination {
     pub direction: Vec3,
     /// Distance to the light in scene units; infinite for a directional light.
     pub distance: f32,
-    /// Strength of the light where it arrives, measured at right angles to its direction: linear RGB irradiance.
+    /// Irradiance on a surface at the point that faces the light: linear RGB, power per area.
     pub strength: Rgb,
 }
 // ANCHOR_END: light

@@ -1,16 +1,18 @@
 //! The material of chapter 1: Phong's, in Blinn's form.
 
+use std::f32::consts::PI;
+
 use common::{Rgb, Vec3, float};
 
 // ANCHOR: phong
-/// A rough, somewhat shiny surface. All three colours are linear RGB and say how much of the light comes back.
+/// A rough, somewhat shiny surface, in linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phong {
-    /// `k_a`: share of the ambient light.
+    /// `k_a`: share of the ambient light that comes back, 0 to 1.
     pub ambient: Rgb,
-    /// `k_d`: share of a light that is scattered equally in all directions.
+    /// `k_d`: radiance toward every viewer, for each unit of irradiance; in 1/sr, from 0 to 1/π.
     pub diffuse: Rgb,
-    /// `k_s`: strength of the highlight.
+    /// `k_s`: the same for the viewer who looks into the middle of the highlight, in 1/sr.
     pub specular: Rgb,
     /// Exponent of the highlight: the greater, the smaller and sharper it is.
     pub shininess: f32,
@@ -18,11 +20,14 @@ pub struct Phong {
 // ANCHOR_END: phong
 
 impl Phong {
-    /// A surface of one colour, with the same ambient share and a white highlight of strength `specular`.
+    // ANCHOR: of
+    /// A surface that scatters the share `albedo` of all light that it catches, with a white highlight. Its `gloss` says
+    /// how bright the highlight is, compared with the same light on white chalk.
     #[must_use]
-    pub fn of(color: Rgb, specular: f32, shininess: f32) -> Self {
-        Self { ambient: color, diffuse: color, specular: Rgb::splat(specular), shininess }
+    pub fn of(albedo: Rgb, gloss: f32, shininess: f32) -> Self {
+        Self { ambient: albedo, diffuse: albedo / PI, specular: Rgb::splat(gloss / PI), shininess }
     }
+    // ANCHOR_END: of
 
     // ANCHOR: terms
     /// `k_d (L·N)⁺` for the unit vectors `to_light` (L) and `normal` (N).

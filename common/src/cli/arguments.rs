@@ -194,12 +194,7 @@ fn command(chapter: &Chapter) -> Command {
         .arg(option("seed", "N", value_parser!(u64).into(), "Seed of the random numbers [default: 0]"))
         .arg(option("threads", "N", ValueParser::new(threads), "Threads, 1 to 1024 [default: one a core]"))
         .arg(option("exposure", "STOPS", ValueParser::new(exposure), "Brighten by a factor of 2^STOPS, -20 to 20"))
-        .arg(option(
-            "output",
-            "FILE",
-            value_parser!(PathBuf),
-            "File to write, .png or .exr; - for standard output",
-        ))
+        .arg(option("output", "FILE", value_parser!(PathBuf), "File to write, .png or .exr; - for standard output"))
         .arg(flag("no-window", "Do not open a window"))
         .arg(option(
             "pixel",

@@ -4,7 +4,7 @@ use super::keys::{Action, HELP};
 use super::overlay::{GREY, Line, WHITE, YELLOW};
 use crate::{
     cli::{Output, Request},
-    knob::{Kind, Knob, Step, Values},
+    knob::{Kind, Knob, Values},
     picture::{Chapter, ORBIT, PITCH, Picture, YAW, ZOOM},
 };
 

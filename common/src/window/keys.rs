@@ -48,6 +48,7 @@ pub(crate) enum Action {
     Quit,
 }
 
+// ANCHOR: help
 /// All keys in the order of the help text, with what they do.
 pub(crate) const HELP: [(&str, &str); 11] = [
     ("drag, arrows", "turn the camera"),
@@ -62,6 +63,7 @@ pub(crate) const HELP: [(&str, &str); 11] = [
     ("H", "hide this help"),
     ("Esc", "save and quit"),
 ];
+// ANCHOR_END: help
 
 /// One press of a key. Keys that write a letter come as that letter, so that every keyboard layout works.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -36,6 +36,10 @@ impl Reference for Ideal {
     fn words(&self) -> String {
         format!("the plane through {} with normal {}", words::triple(self.point), words::triple(self.normal))
     }
+
+    fn outward_normal(&self) -> &'static str {
+        "is the plane's own"
+    }
 }
 
 /// Accept a plane, or name what is wrong with it. `make` takes the point and the normal.
@@ -85,6 +89,10 @@ fn one_ray_for_each_mistake<S: Shape>(
     let advice = "This ray comes from below. A plane is hit from both sides; `Hit::new` turns the normal and notes the \
                   side.";
     floor.probe(&from_below, Interval::POSITIVE, "one-sided", advice)?;
+    let advice = "The range is open: its ends do not count. `range.contains(t)` knows that.";
+    for range in [Interval::new(0.0, 3.0), Interval::new(3.0, 10.0)] {
+        floor.probe(down, range, "range-not-open", advice)?;
+    }
 
     let advice = "A ray along the plane never meets it, and a ray inside the plane has no first hit. What does your \
                   division give here?";
@@ -96,9 +104,5 @@ fn one_ray_for_each_mistake<S: Shape>(
     let advice = "This direction is short, but not parallel to the plane. Directions may have any length: only a \
                   product of exactly 0 is parallel.";
     floor.probe(&Ray::new(down.origin, -Vec3::Y * 1e-5), Interval::POSITIVE, "fixed-epsilon", advice)?;
-    let advice = "The range is open: its ends do not count. `range.contains(t)` knows that.";
-    for range in [Interval::new(0.0, 3.0), Interval::new(3.0, 10.0)] {
-        floor.probe(down, range, "range-not-open", advice)?;
-    }
     Ok(())
 }

@@ -75,7 +75,14 @@ impl<F: Fn(FilmPoint) -> Ray> Trial<F> {
         };
         let ray = |o: DVec3, d: DVec3| format!("a ray from {} in direction {}", words::rounded(o), words::rounded(d));
         Err(Finding {
-            tried: format!("{}, film of {}×{} pixels, position ({}, {})", self.ideal.words(), point.size.x, point.size.y, point.position.x, point.position.y),
+            tried: format!(
+                "{}, film of {}×{} pixels, position ({}, {})",
+                self.ideal.words(),
+                point.size.x,
+                point.size.y,
+                point.position.x,
+                point.position.y
+            ),
             got: ray(o, d),
             expected: ray(origin, direction),
             advice: advice.into(),
@@ -93,7 +100,8 @@ fn film([width, height]: [f32; 2], [across, down]: [f32; 2]) -> FilmPoint {
 /// Accept a camera, or name what is wrong with it. `make` takes eye, lookat, up and side, and gives the function that
 /// turns a film point into a ray.
 pub(crate) fn check<F: Fn(FilmPoint) -> Ray>(make: impl Fn(Vec3, Vec3, Vec3, f32) -> F) -> Verdict {
-    let trial = |eye, lookat, up, side| Trial { ray: make(eye, lookat, up, side), ideal: Ideal { eye, lookat, up, side } };
+    let trial =
+        |eye, lookat, up, side| Trial { ray: make(eye, lookat, up, side), ideal: Ideal { eye, lookat, up, side } };
     let plain = trial(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, Vec3::Y, 4.0);
     let square = |place| film([200.0, 200.0], place);
     if [[0.5, 0.5], [0.2, 0.7]].iter().all(|place| (plain.ray)(square(*place)).direction == Vec3::ZERO) {
@@ -165,10 +173,16 @@ fn other_films<F: Fn(FilmPoint) -> Ray>(camera: &Trial<F>) -> Verdict {
         let half = Vec2::new(origin([1.0, 0.5]).x, origin([0.5, 0.0]).y);
         let is_square = (half.x / half.y - size[0] / size[1]).abs() < 1e-3;
         let (name, advice) = if is_square {
-            ("longer-side", "The pixels are square, but `side` belongs to the shorter side of the film, whichever that is.")
+            (
+                "longer-side",
+                "The pixels are square, but `side` belongs to the shorter side of the film, whichever that is.",
+            )
         } else {
-            ("pixels-not-square", "One pixel to the right must be as far as one pixel up, at any aspect ratio: see `wide` and \
-                                   `high` on the page about the camera.")
+            (
+                "pixels-not-square",
+                "One pixel to the right must be as far as one pixel up, at any aspect ratio: see `wide` and \
+                                   `high` on the page about the camera.",
+            )
         };
         for place in [[1.0, 0.5], [0.5, 0.0]] {
             camera.probe(film(size, place), name, advice)?;
@@ -189,11 +203,16 @@ fn along_up<F: Fn(FilmPoint) -> Ray>(make: &impl Fn(Vec3, Vec3, Vec3, f32) -> F)
         if !(is_at_right_angles && is_long_enough) {
             return Err(Finding {
                 tried: format!("{}, which looks along its own `up`", ideal.words()),
-                got: format!("from the middle of the film to its right edge {}, to its upper edge {}", words::triple(right), words::triple(top)),
+                got: format!(
+                    "from the middle of the film to its right edge {}, to its upper edge {}",
+                    words::triple(right),
+                    words::triple(top)
+                ),
                 expected: "two vectors of length 2, at right angles to each other and to the view".into(),
-                advice: "forward × up is zero here, so it has no direction. Choose any vector at right angles to forward \
+                advice:
+                    "forward × up is zero here, so it has no direction. Choose any vector at right angles to forward \
                          then: `forward.any_orthonormal_vector()`."
-                    .into(),
+                        .into(),
             }
             .named("looking-along-up"));
         }

@@ -81,12 +81,20 @@ impl<L: Light> Trial<L> {
         let (name, advice) = if !got.strength.is_finite() || !got.direction.is_finite() {
             ("not-a-number", "Something was divided by zero: what if both angles are the same?")
         } else if got.direction.as_dvec3().distance(-direction) < 1e-4 {
-            ("direction-reversed", "`direction` goes from the point toward the light, and not the way the light travels.")
+            (
+                "direction-reversed",
+                "`direction` goes from the point toward the light, and not the way the light travels.",
+            )
         } else if got.direction.as_dvec3().distance(direction) > 1e-4 {
-            ("wrong-direction", "`direction` is the unit vector from the point toward the light, as for a `PointLight`.")
+            (
+                "wrong-direction",
+                "`direction` is the unit vector from the point toward the light, as for a `PointLight`.",
+            )
         } else if (f64::from(got.distance) - distance).abs() > 1e-4 * distance {
             ("wrong-distance", "`distance` is the way from the point to the light.")
-        } else if got.strength.as_dvec3().distance(strength) > 2e-4 * (intensity.as_dvec3() / (distance * distance)).length() {
+        } else if got.strength.as_dvec3().distance(strength)
+            > 2e-4 * (intensity.as_dvec3() / (distance * distance)).length()
+        {
             (name, advice)
         } else {
             return Ok(());
@@ -139,7 +147,11 @@ pub(crate) fn check<L: Light>(make: impl Fn(Vec3, Vec3, Rgb, f32, f32) -> L) -> 
         let light = trial(dice.point(4.0), dice.direction(), intensity, angles);
         let point = light.ideal.position + light.ideal.axis + dice.direction();
         if point.distance(light.ideal.position) > 0.1 {
-            light.probe(point, "wrong-strength", "Work this point out on paper: distance, cosine, x, and then the falloff.")?;
+            light.probe(
+                point,
+                "wrong-strength",
+                "Work this point out on paper: distance, cosine, x, and then the falloff.",
+            )?;
         }
     }
     Ok(())
@@ -160,8 +172,11 @@ fn distance<L: Light>(lamp: &Trial<L>) -> Verdict {
     } else if (on_axis - 2.0).abs() < 1e-3 {
         ("inverse-not-squared", "The strength must fall with the square of the distance, not with the distance.")
     } else if on_axis == 0.0 {
-        ("shines-backwards", "This point lies on the axis, and it is dark. The angle lies between the axis and the way from \
-                              the light to the point: `-direction`, not `direction`.")
+        (
+            "shines-backwards",
+            "This point lies on the axis, and it is dark. The angle lies between the axis and the way from \
+                              the light to the point: `-direction`, not `direction`.",
+        )
     } else {
         ("wrong-strength", "On the axis the whole light arrives: intensity divided by the square of the distance.")
     };
@@ -171,7 +186,11 @@ fn distance<L: Light>(lamp: &Trial<L>) -> Verdict {
 /// Inside the inner and outside the outer angle.
 fn cone<L: Light>(lamp: &Trial<L>) -> Verdict {
     let point = Vec3::Y * 4.0;
-    lamp.probe(point, "shines-backwards", "This point lies behind the lamp. Its cosine is negative: the cosine must not lose its sign.")?;
+    lamp.probe(
+        point,
+        "shines-backwards",
+        "This point lies behind the lamp. Its cosine is negative: the cosine must not lose its sign.",
+    )?;
     lamp.probe(at(85.0), "no-cone", "This point lies outside the outer angle, where no light arrives.")?;
     // Angles of the whole cone would make it half as wide: at 20° the edge would have begun.
     let advice = "At 20° off the axis, the point lies within the inner angle of 30°. Both angles are measured from the \
@@ -179,9 +198,20 @@ fn cone<L: Light>(lamp: &Trial<L>) -> Verdict {
     if lamp.share(at(35.0)) < 1e-3 {
         lamp.probe(at(20.0), "full-angle", advice)?;
     }
-    let advice = "Within the inner angle the whole light arrives. Are the angles turned from degrees into radians before \
-                  the cosine is taken, and is the share between 0 and 1 clamped?";
-    lamp.probe(at(20.0), "dark-inside", advice)?;
+    let (name, advice) = if (lamp.share(at(20.0)) - cosine(20.0)).abs() < 1e-3 {
+        (
+            "cosine-too-much",
+            "The strength is multiplied by a cosine. What the surface's slope does belongs to the material; the light says \
+             how strong it is at right angles to its direction.",
+        )
+    } else {
+        (
+            "dark-inside",
+            "Within the inner angle the whole light arrives. Are the angles turned from degrees into radians before the \
+             cosine is taken, and is the share between 0 and 1 clamped?",
+        )
+    };
+    lamp.probe(at(20.0), name, advice)?;
     lamp.probe(at(65.0), "bright-outside", "Outside the outer angle no light arrives. Is the share clamped to 0?")
 }
 
@@ -194,21 +224,30 @@ fn edge<L: Light>(lamp: &Trial<L>) -> Verdict {
     let share = lamp.share(point);
     let is = |value: f64| (share - value).abs() < 2e-3;
     let (name, advice) = if is(1.0 - smooth(x)) || is(1.0 - x) {
-        ("falloff-reversed", "The light must fade from the inner to the outer angle. Note that the inner angle has the greater \
-                              cosine.")
+        (
+            "falloff-reversed",
+            "The light must fade from the inner to the outer angle. Note that the inner angle has the greater \
+                              cosine.",
+        )
     } else if is(smooth(by_angle)) || is(by_angle) {
-        ("angle-not-cosine", "Here the share grows evenly with the angle. It should grow with the cosine of the angle, \
-                              which also saves the arc cosine.")
+        (
+            "angle-not-cosine",
+            "Here the share grows evenly with the angle. It should grow with the cosine of the angle, \
+                              which also saves the arc cosine.",
+        )
     } else if is(x) {
-        ("not-smooth", "The share grows evenly from 0 to 1, so the cone has visible edges where it begins and ends. \
-                        Smooth it: x²(3 − 2x).")
+        (
+            "not-smooth",
+            "The share grows evenly from 0 to 1, so the cone has visible edges where it begins and ends. \
+                        Smooth it: x²(3 − 2x).",
+        )
     } else if is(1.0) || is(0.0) {
         ("hard-edge", "Between the two angles the light must fade.")
-    } else if is(smooth(x) * cosine(45.0)) {
-        ("cosine-too-much", "The strength is multiplied by a cosine. What the surface's slope does belongs to the material; \
-                             the light says how strong it is at right angles to its direction.")
     } else {
-        ("wrong-falloff", "Between both angles: x = (cos θ − cos outer) / (cos inner − cos outer), and then x²(3 − 2x).")
+        (
+            "wrong-falloff",
+            "Between both angles: x = (cos θ − cos outer) / (cos inner − cos outer), and then x²(3 − 2x).",
+        )
     };
     lamp.probe(point, name, advice)
 }
@@ -225,9 +264,10 @@ fn sharp<L: Light>(lamp: &Trial<L>) -> Verdict {
                 tried: format!("{}, at a point {degrees}° off the axis", lamp.ideal.words()),
                 got: format!("strength {}", words::triple(lamp.light.illuminate(point).strength)),
                 expected: format!("{expected} times the light of a `PointLight`"),
-                advice: "Both angles are the same: the cone has a sharp edge. Then 0/0 or a number divided by 0 comes up: \
+                advice:
+                    "Both angles are the same: the cone has a sharp edge. Then 0/0 or a number divided by 0 comes up: \
                          clamp the share between 0 and 1, and look at what becomes of a NaN."
-                    .into(),
+                        .into(),
             }
             .named("sharp-edge"));
         }

@@ -35,14 +35,7 @@ struct Trial<F>(F);
 
 impl<F: Fn(&Triangle, &Ray, Interval) -> Option<TriangleHit>> Trial<F> {
     /// The mistake of that name, or a more particular one, if the answer is not right.
-    fn probe(
-        &self,
-        triangle: &Triangle,
-        ray: &Ray,
-        range: Interval,
-        name: &'static str,
-        advice: &str,
-    ) -> Verdict {
+    fn probe(&self, triangle: &Triangle, ray: &Ray, range: Interval, name: &'static str, advice: &str) -> Verdict {
         let got = (self.0)(triangle, ray, range);
         let met = meeting(triangle, ray);
         let is_expected = |m: &Meeting| {
@@ -66,7 +59,10 @@ impl<F: Fn(&Triangle, &Ray, Interval) -> Option<TriangleHit>> Trial<F> {
             (None, Some(_)) => return mistake(name, advice),
             (Some(hit), None) => {
                 return if !range.contains(hit.t) {
-                    mistake("ignores-range", "This `t` lies outside the range. `range.contains(t)` tells which hits count.")
+                    mistake(
+                        "ignores-range",
+                        "This `t` lies outside the range. `range.contains(t)` tells which hits count.",
+                    )
                 } else {
                     mistake(name, advice)
                 };
@@ -81,18 +77,33 @@ impl<F: Fn(&Triangle, &Ray, Interval) -> Option<TriangleHit>> Trial<F> {
         if !is_t(t) && (is_t(t * length) || is_t(t / length)) {
             mistake("unit-direction", "`t` counts lengths of the ray's direction: leave the direction as it is.")
         } else if !is_t(t) {
-            mistake("wrong-t", "The triangle is hit, but at another `t`. Is it the right dot product, divided by the determinant?")
+            mistake(
+                "wrong-t",
+                "The triangle is hit, but at another `t`. Is it the right dot product, divided by the determinant?",
+            )
         } else if is_near(weights) {
             Ok(())
-        } else if [[beta, gamma, alpha], [gamma, alpha, beta], [beta, alpha, gamma], [gamma, beta, alpha], [alpha, gamma, beta]]
-            .into_iter()
-            .any(is_near)
+        } else if [
+            [beta, gamma, alpha],
+            [gamma, alpha, beta],
+            [beta, alpha, gamma],
+            [gamma, beta, alpha],
+            [alpha, gamma, beta],
+        ]
+        .into_iter()
+        .any(is_near)
         {
-            mistake("weights-order", "The weights are right, but not in order: u belongs to the second corner, v to the third.")
+            mistake(
+                "weights-order",
+                "The weights are right, but not in order: u belongs to the second corner, v to the third.",
+            )
         } else if (alpha + beta + gamma - 1.0).abs() > 1e-3 {
             mistake("weights-sum", "The three weights must sum to 1: α is what u and v leave over.")
         } else {
-            mistake("wrong-weights", "`t` is right, but the weights are not. Look at q = s × e1, and which vector is multiplied with which.")
+            mistake(
+                "wrong-weights",
+                "`t` is right, but the weights are not. Look at q = s × e1, and which vector is multiplied with which.",
+            )
         }
     }
 }
@@ -102,7 +113,9 @@ pub(crate) fn check(answer: impl Fn(&Triangle, &Ray, Interval) -> Option<Triangl
     let trial = Trial(answer);
     let triangle = Triangle::new(Vec3::ZERO, Vec3::new(4.0, 0.0, 0.0), Vec3::new(0.0, 4.0, 0.0));
     let toward = |x: f32, y: f32| Ray::new(Vec3::new(x, y, 5.0), -Vec3::Z);
-    if [(1.0, 1.0), (2.0, 0.5)].iter().all(|(x, y)| (trial.0)(&triangle, &toward(*x, *y), Interval::POSITIVE).is_none()) {
+    let away = |x: f32, y: f32| Ray::new(Vec3::new(x, y, 5.0), Vec3::Z);
+    let is_hit = |ray: &Ray| (trial.0)(&triangle, ray, Interval::new(-100.0, 100.0)).is_some();
+    if ![(1.0, 1.0), (2.0, 0.5)].iter().any(|(x, y)| is_hit(&toward(*x, *y)) || is_hit(&away(*x, *y))) {
         return Err(Diagnosis::not_started("Your triangle is never hit: the function returns `None` for every ray."));
     }
     inside_and_outside(&trial, &triangle, &toward)?;
@@ -123,9 +136,20 @@ pub(crate) fn check(answer: impl Fn(&Triangle, &Ray, Interval) -> Option<Triangl
         }
         #[expect(clippy::cast_possible_truncation, reason = "the exact number does not matter")]
         let t = met.t as f32;
-        for range in [Interval::POSITIVE, Interval::new(t - 1.0, t + 1.0), Interval::new(t + 0.1, t + 9.0), Interval::new(-99.0, t - 0.1)] {
+        for range in [
+            Interval::POSITIVE,
+            Interval::new(t - 1.0, t + 1.0),
+            Interval::new(t + 0.1, t + 9.0),
+            Interval::new(-99.0, t - 0.1),
+        ] {
             if (range.min - t).abs() > 0.05 {
-                trial.probe(&triangle, &ray, range, "wrong-hit", "Work out by hand what your formulas give for this ray.")?;
+                trial.probe(
+                    &triangle,
+                    &ray,
+                    range,
+                    "wrong-hit",
+                    "Work out by hand what your formulas give for this ray.",
+                )?;
             }
         }
     }
@@ -152,7 +176,9 @@ where
     let doubled = Ray::new(ray.origin, ray.direction * 2.0);
     trial.probe(triangle, &doubled, Interval::POSITIVE, "missed", advice)?;
     for (x, y, edge) in [(-0.5, 1.0, "u < 0"), (1.0, -0.5, "v < 0"), (2.5, 2.5, "u + v > 1"), (5.0, 1.0, "u + v > 1")] {
-        let advice = format!("The ray passes beside the triangle, where {edge}. No weight may be negative, α = 1 − u − v neither.");
+        let advice = format!(
+            "The ray passes beside the triangle, where {edge}. No weight may be negative, α = 1 − u − v neither."
+        );
         trial.probe(triangle, &toward(x, y), Interval::POSITIVE, "edge-forgotten", &advice)?;
     }
     let away = Ray::new(ray.origin, Vec3::Z);

@@ -79,6 +79,10 @@ impl Reference for Ideal {
         let Self { center, major, minor } = self;
         format!("the torus around {} with major radius {major} and minor radius {minor}", words::triple(*center))
     }
+
+    fn outward_normal(&self) -> &'static str {
+        "points from the nearest point of the circle in the middle of the tube to the hit"
+    }
 }
 
 /// Where `value` changes its sign between `low` and `high`.
@@ -109,8 +113,10 @@ pub(crate) fn check<S: Shape>(make: impl Fn(Vec3, f32, f32) -> S) -> Verdict {
     let advice = "This torus is not around the origin of space. Subtract `center` from the ray's origin first.";
     away.probe(&Ray::new(Vec3::new(4.0, 3.0, 1.0), -Vec3::Y), Interval::POSITIVE, "center-ignored", advice)?;
 
-    // Many rays at many tori, thin and thick.
     let mut dice = Dice::new(16);
+    far(&ring, &mut dice)?;
+
+    // Many rays at many tori, thin and thick.
     for _ in 0..60 {
         let major = dice.number(0.5, 2.0);
         let torus = trial(dice.point(2.0), major, major * dice.choice([0.1, 0.25, 0.5, 0.9]));
@@ -118,7 +124,7 @@ pub(crate) fn check<S: Shape>(make: impl Fn(Vec3, f32, f32) -> S) -> Verdict {
             torus.compare(&dice.ray(6.0, torus.ideal.center, 2.0))?;
         }
     }
-    far(&ring, &mut dice)
+    Ok(())
 }
 
 /// One ray for each likely mistake. The ray `across` meets the ring four times.
@@ -148,27 +154,27 @@ fn four_roots<S: Shape>(ring: &Trial<S, Ideal>, down: &Ray, across: &Ray) -> Ver
         ring.probe(across, Interval::new(min, 100.0), "root-lost", &advice)?;
     }
     let inside = Ray::new(Vec3::new(2.0, 0.1, 0.0), Vec3::X);
-    ring.probe(&inside, Interval::POSITIVE, "no-hit-from-inside", "This ray starts inside the tube and must leave it.")?;
     ring.probe(
-        &Ray::new(Vec3::new(0.0, 0.0, 0.1), Vec3::Z),
+        &inside,
         Interval::POSITIVE,
-        "wrong-normal",
-        "This ray starts in the middle of the hole and meets the ring from outside: there the outward normal points back \
-         to the centre. It goes from the nearest point of the tube's middle circle to the hit.",
-    )
+        "no-hit-from-inside",
+        "This ray starts inside the tube and must leave it.",
+    )?;
+    ring.ask(&Ray::new(Vec3::new(0.0, 0.0, 0.1), Vec3::Z), Interval::POSITIVE)
 }
 
 /// Rays from far away, where a careless quartic loses all its digits.
 fn far<S: Shape>(ring: &Trial<S, Ideal>, dice: &mut Dice) -> Verdict {
     for _ in 0..300 {
         let (target, toward) = (dice.point(2.5).with_y(dice.number(-0.5, 0.5)), dice.direction().normalize());
-        let ray = Ray::new(target + toward * dice.choice([30.0, 300.0, 1000.0]), -toward);
-        if ring.ideal.crossings(&ray).is_some() {
-            let advice = "This ray comes from far away, and the quartic's numbers become so great that they cancel. Move the \
-                          ray's origin to the point nearest to the centre before you multiply anything, and add the way back \
-                          to t.";
-            ring.probe(&ray, Interval::POSITIVE, "far-away", advice)?;
-        }
+        let from = |distance: f32| Ray::new(target + toward * distance, -toward);
+        let far = from(dice.choice([30.0, 300.0, 1000.0]));
+        // What is wrong from nearby too has another reason.
+        ring.ask(&from(5.0), Interval::POSITIVE)?;
+        let advice = "From nearby such a ray finds its hit, from far away it does not: the quartic's numbers become so great \
+                      that they cancel. Move the ray's origin to the point nearest to the centre before you multiply anything, \
+                      and add the way back to t.";
+        ring.probe(&far, Interval::POSITIVE, "far-away", advice)?;
     }
     Ok(())
 }

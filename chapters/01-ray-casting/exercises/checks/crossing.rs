@@ -43,6 +43,9 @@ pub(crate) trait Reference {
 
     /// Its name with its numbers.
     fn words(&self) -> String;
+
+    /// What the outward normal does, to complete a sentence.
+    fn outward_normal(&self) -> &'static str;
 }
 
 /// A line through f64 space, with the parameter of the ray.

@@ -2,7 +2,7 @@
 
 use common::{
     Interval,
-    exercise::{Diagnosis, Finding, Verdict},
+    exercise::{Finding, Verdict},
 };
 use ray_casting::{hit::Hit, ray::Ray, shape::Shape};
 
@@ -10,29 +10,6 @@ use super::{
     crossing::{Crossing, Reference, first_in, is_at, ranges},
     words,
 };
-
-/// A question put to a shape.
-struct Question<'a> {
-    /// The shape with its numbers.
-    target: &'a str,
-    /// The ray.
-    ray: &'a Ray,
-    /// The ray parameters that count.
-    range: Interval,
-}
-
-impl Question<'_> {
-    /// The question in words.
-    fn words(&self) -> String {
-        let Self { target, ray, range } = self;
-        format!("{}, {}, at {target}", words::ray(ray), words::range(*range))
-    }
-
-    /// A named mistake.
-    fn mistake(&self, name: &'static str, got: String, expected: String, advice: &str) -> Diagnosis {
-        Finding { tried: self.words(), got, expected, advice: advice.into() }.named(name)
-    }
-}
 
 /// How far an answer may be off, in scene units.
 #[derive(Clone, Copy, Debug)]
@@ -54,90 +31,118 @@ pub(crate) struct Trial<S, R> {
 }
 
 impl<S: Shape, R: Reference> Trial<S, R> {
-    /// Ask about one ray and one range.
+    /// Ask about one ray and one range. A ray that is no fair question is passed over.
     pub(crate) fn ask(&self, ray: &Ray, range: Interval) -> Verdict {
-        let crossings = self.ideal.crossings(ray).unwrap_or_default();
-        let question = Question { target: &self.ideal.words(), ray, range };
-        judge(&question, &crossings, self.shape.intersect(ray, range), self.slack)
+        self.judge(ray, range, |general| general)
     }
 
-    /// Ask for one particular mistake: whatever is wrong with the answer, this is its name and where to look.
+    /// Ask for one particular mistake: if the wrong hit comes back, this is its name and where to look, unless it is plain
+    /// what is wrong.
     pub(crate) fn probe(&self, ray: &Ray, range: Interval, name: &'static str, advice: &str) -> Verdict {
-        self.ask(ray, range).map_err(|_| {
-            let crossings = self.ideal.crossings(ray).unwrap_or_default();
-            let got = words::answer(self.shape.intersect(ray, range));
-            let expected = words::crossing(first_in(&crossings, range), ray);
-            Question { target: &self.ideal.words(), ray, range }.mistake(name, got, expected, advice)
-        })
+        let is_plain = |general: Mistake| [UNIT_DIRECTION.0, NOT_NEAREST.0].contains(&general.0);
+        self.judge(ray, range, |general| if is_plain(general) { general } else { (name, advice) })
     }
 
-    /// Ask about one ray with all ranges that are worth it. A ray that is no fair question is passed over.
+    /// Ask about one ray with all ranges that are worth it.
     pub(crate) fn compare(&self, ray: &Ray) -> Verdict {
         let Some(crossings) = self.ideal.crossings(ray) else { return Ok(()) };
         ranges(&crossings).into_iter().try_for_each(|range| self.ask(ray, range))
     }
 
-    /// Whether none of these rays hits the answer, whatever lies in front of the rays.
+    /// Whether none of these rays hits the answer, neither before nor behind its origin.
     pub(crate) fn is_never_hit(&self, rays: &[Ray]) -> bool {
-        rays.iter().all(|ray| self.shape.intersect(ray, Interval::POSITIVE).is_none())
+        let ranges = [Interval::POSITIVE, Interval::new(-100.0, 100.0)];
+        rays.iter().all(|ray| ranges.iter().all(|range| self.shape.intersect(ray, *range).is_none()))
+    }
+
+    /// Accept the answer, or name the mistake. `particular` may give the wrong hit another name than its general one.
+    fn judge<'a>(&self, ray: &Ray, range: Interval, particular: impl Fn(Mistake<'a>) -> Mistake<'a>) -> Verdict {
+        let Some(crossings) = self.ideal.crossings(ray) else { return Ok(()) };
+        let expected = first_in(&crossings, range);
+        let answer = self.shape.intersect(ray, range);
+        let finding = |(name, advice): Mistake, more: &str| {
+            Finding {
+                tried: format!("{}, {}, at {}", words::ray(ray), words::range(range), self.ideal.words()),
+                got: words::answer(answer),
+                expected: words::crossing(expected, ray),
+                advice: format!("{advice}{more}"),
+            }
+            .named(name)
+        };
+        wrong_hit(ray, range, &crossings, answer, self.slack).map_err(|general| finding(particular(general), ""))?;
+        let (Some(hit), Some(expected)) = (answer, expected) else { return Ok(()) };
+        wrong_surface(&hit, &expected, ray, self.slack)
+            .map_err(|mistake| finding(mistake, &format!(" The outward normal {}.", self.ideal.outward_normal())))
     }
 }
 
-/// Accept the answer to a question, or name the mistake. `crossings` are all there are, inside and outside the range.
-fn judge(question: &Question, crossings: &[Crossing], answer: Option<Hit>, slack: Slack) -> Verdict {
-    let (ray, range) = (question.ray, question.range);
-    let expected = first_in(crossings, range);
-    let mistake = |name, advice: &str| {
-        Err(question.mistake(name, words::answer(answer), words::crossing(expected, ray), advice))
-    };
+/// Name and advice.
+type Mistake<'a> = (&'static str, &'a str);
 
-    // Is there a hit where one should be?
-    let Some(hit) = answer else {
-        return match expected {
-            None => Ok(()),
-            Some(c) if c.t < 0.0 => mistake(
+/// A hit, but not the first one.
+const NOT_NEAREST: Mistake =
+    ("not-nearest", "This is a hit, but another one is nearer. Of all hits in the range the least `t` wins.");
+
+/// A ray parameter in scene units.
+const UNIT_DIRECTION: Mistake = (
+    "unit-direction",
+    "`t` counts lengths of the ray's direction, and this direction is not of unit length. Do not normalise it, or divide \
+     by its length again in the end.",
+);
+
+/// Accept that there is a hit and its `t`, or say what is wrong.
+fn wrong_hit(
+    ray: &Ray,
+    range: Interval,
+    crossings: &[Crossing],
+    answer: Option<Hit>,
+    slack: Slack,
+) -> Result<(), Mistake<'static>> {
+    let expected = first_in(crossings, range);
+    let hit = match (answer, expected) {
+        (None, None) => return Ok(()),
+        (None, Some(c)) if c.t < 0.0 => {
+            return Err((
                 "only-positive",
                 "This range begins before the ray's origin. The range says what counts, not `t > 0`.",
-            ),
-            Some(c) if crossings.iter().any(|other| other.t < c.t) => mistake(
+            ));
+        }
+        (None, Some(c)) if crossings.iter().any(|other| other.t < c.t) => {
+            return Err((
                 "later-hit-forgotten",
                 "The ray meets the shape before this range begins, and once more inside the range. When a hit does not \
                  count, go on with the next one instead of giving up.",
-            ),
-            Some(_) => mistake("missed", "The shape was missed. Work out by hand what your formula gives for this ray."),
-        };
+            ));
+        }
+        (None, Some(_)) => {
+            return Err(("missed", "The shape was missed. Work out by hand what your formula gives for this ray."));
+        }
+        (Some(hit), _) => hit,
     };
     if !hit.t.is_finite() {
-        return mistake("not-a-number", "`t` must be a number: is something divided by zero?");
+        return Err(("not-a-number", "`t` must be a number: is something divided by zero?"));
     }
     if !range.contains(hit.t) {
-        return mistake("ignores-range", "This `t` lies outside the range. `range.contains(t)` tells which hits count.");
+        return Err(("ignores-range", "This `t` lies outside the range. `range.contains(t)` tells which hits count."));
     }
     let Some(expected) = expected else {
-        return mistake("hit-beside", "There is nothing at that place: the ray passes by.");
+        return Err(("hit-beside", "There is nothing at that place: the ray passes by."));
     };
-
-    // Is it the right hit?
-    if !is_at(&hit, &expected, ray, slack.t) {
-        let length = f64::from(ray.direction.length());
-        let is_scaled = [length, 1.0 / length].iter().any(|by| (f64::from(hit.t) * by - expected.t).abs() <= slack.t);
-        return if crossings.iter().any(|c| is_at(&hit, c, ray, slack.t)) {
-            mistake("not-nearest", "This is a hit, but another one is nearer. Of all hits in the range the least `t` wins.")
-        } else if is_scaled {
-            mistake(
-                "unit-direction",
-                "`t` counts lengths of the ray's direction, and this direction is not of unit length. Do not normalise \
-                 it, or divide by its length again in the end.",
-            )
-        } else {
-            mistake("wrong-t", "`t` is wrong. Work out by hand what your formula gives for this ray.")
-        };
+    let length = f64::from(ray.direction.length());
+    let is_scaled = [length, 1.0 / length].iter().any(|by| (f64::from(hit.t) * by - expected.t).abs() <= slack.t);
+    if is_at(&hit, &expected, ray, slack.t) {
+        Ok(())
+    } else if crossings.iter().any(|c| is_at(&hit, c, ray, slack.t)) {
+        Err(NOT_NEAREST)
+    } else if is_scaled {
+        Err(UNIT_DIRECTION)
+    } else {
+        Err(("wrong-t", "`t` is wrong. Work out by hand what your formula gives for this ray."))
     }
-    judge_surface(&hit, &expected, ray, slack).or_else(|(name, advice)| mistake(name, advice))
 }
 
-/// Accept position, normals and side, or say what is wrong.
-fn judge_surface(hit: &Hit, expected: &Crossing, ray: &Ray, slack: Slack) -> Result<(), (&'static str, &'static str)> {
+/// Accept position, normals and side of the right hit, or say what is wrong.
+fn wrong_surface(hit: &Hit, expected: &Crossing, ray: &Ray, slack: Slack) -> Result<(), Mistake<'static>> {
     // Written so that a position that is no number is wrong.
     let is_position_right = hit.position.as_dvec3().distance(ray.at(hit.t).as_dvec3()) <= slack.t;
     if !is_position_right {
@@ -149,26 +154,21 @@ fn judge_surface(hit: &Hit, expected: &Crossing, ray: &Ray, slack: Slack) -> Res
     }
     let normal = hit.geometric_normal.as_dvec3();
     let is_normal_near = |other| normal.distance(other) <= slack.normal;
-    if (normal.length() - 1.0).abs() > 1e-3 || normal.is_nan() {
-        return Err(("normal-not-unit", "The normal must have length 1. `Hit::new` sees to that."));
-    }
-    if is_normal_near(-expected.normal(ray)) {
-        return Err((
-            "normal-not-turned",
-            "The normal must face the ray. `Hit::new` turns it, if you give it the outward one.",
-        ));
-    }
-    if !is_normal_near(expected.normal(ray)) {
-        return Err(("wrong-normal", "The point is right, but the normal there is not."));
-    }
-    if hit.side != expected.side(ray) {
-        return Err((
+    if normal.is_nan() || (normal.length() - 1.0).abs() > 1e-3 {
+        Err(("normal-not-unit", "The normal must have length 1. `Hit::new` sees to that."))
+    } else if is_normal_near(-expected.normal(ray)) {
+        Err(("normal-not-turned", "The normal must face the ray. `Hit::new` turns it, if you give it the outward one."))
+    } else if !is_normal_near(expected.normal(ray)) {
+        Err(("wrong-normal", "The point is right, but the normal there is not."))
+    } else if hit.side != expected.side(ray) {
+        Err((
             "wrong-side",
-            "The point is right, but the side is not: the direction that was given as outward points inward.",
-        ));
+            "Point and normal are right, but the side is not. Give `Hit::new` the outward normal as it is, wherever the \
+             ray comes from: it notes the side before it turns the normal.",
+        ))
+    } else if !hit.shading_normal.abs_diff_eq(hit.geometric_normal, 1e-3) {
+        Err(("wrong-shading-normal", "This shape is shaded with its own normal: both normals are the same."))
+    } else {
+        Ok(())
     }
-    if !hit.shading_normal.abs_diff_eq(hit.geometric_normal, 1e-3) {
-        return Err(("wrong-shading-normal", "This shape is shaded with its own normal: both normals are the same."));
-    }
-    Ok(())
 }

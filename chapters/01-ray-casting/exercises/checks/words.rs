@@ -11,7 +11,8 @@ use super::crossing::Crossing;
 
 /// A point, a vector or a colour.
 pub(crate) fn triple(v: Vec3) -> String {
-    let [x, y, z] = v.to_array();
+    // Adding zero turns −0 into 0.
+    let [x, y, z] = (v + 0.0).to_array();
     format!("({x}, {y}, {z})")
 }
 

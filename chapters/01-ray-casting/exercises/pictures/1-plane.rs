@@ -1,6 +1,10 @@
 //! Picture of exercise 1.1: the corner of a room.
 
-use common::{Error, Vec3, color::srgb, picture::{Picture, Render, Settings}};
+use common::{
+    Error, Vec3,
+    color::srgb,
+    picture::{Picture, Render, Settings},
+};
 use ray_casting::{material::Phong, shape::Shape, sphere::Sphere};
 
 use super::stage::{self, Make, camera, lit, view};
@@ -27,10 +31,10 @@ pub(crate) fn make<S: Shape + 'static>(
     for (center, radius, color) in [
         ([-0.9, 0.75, -0.6], 0.75, glossy(226, 212, 184)),
         ([0.75, 0.0, 0.5], 0.62, glossy(232, 186, 62)),
-        ([-2.65, 1.75, -0.1], 0.55, glossy(52, 140, 140)),
-        ([1.35, 1.35, -2.1], 0.7, glossy(190, 40, 48)),
+        ([-2.95, 1.6, -0.1], 0.62, glossy(52, 140, 140)),
+        ([1.35, 1.35, -2.25], 0.75, glossy(190, 40, 48)),
         ([-1.35, 0.22, 1.0], 0.22, glossy(150, 74, 118)),
-        ([2.2, 0.3, -0.4], 0.3, glossy(206, 108, 74)),
+        ([2.3, 0.1, -1.45], 0.34, glossy(206, 108, 74)),
     ] {
         scene.add("ball", Sphere::new(Vec3::from_array(center), radius), color);
     }

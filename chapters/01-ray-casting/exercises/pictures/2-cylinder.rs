@@ -1,6 +1,10 @@
 //! Picture of exercise 1.2: coins, drums and pencils.
 
-use common::{Error, Vec3, color::srgb, picture::{Picture, Render, Settings}};
+use common::{
+    Error, Vec3,
+    color::srgb,
+    picture::{Picture, Render, Settings},
+};
 use ray_casting::{frame::Frame, material::Phong, shape::Shape};
 
 use super::stage::{self, Make, Placed, camera, stage, view};
@@ -43,15 +47,16 @@ pub(crate) fn make<S: Shape + 'static>(
     let leaning = |x: f32, z: f32, tilt: f32, around: f32| {
         Frame::at(Vec3::new(x, 0.55, z)).turned(Vec3::Z, -tilt).turned(Vec3::Y, around)
     };
-    let lying = |x: f32, z: f32, around: f32| Frame::at(Vec3::new(x, 0.07, z)).turned(Vec3::Z, 90.0).turned(Vec3::Y, around);
+    let lying =
+        |x: f32, z: f32, around: f32| Frame::at(Vec3::new(x, 0.07, z)).turned(Vec3::Z, 90.0).turned(Vec3::Y, around);
     for (frame, color) in [
         (leaning(1.75, -0.8, 14.0, 20.0), srgb(190, 40, 48)),
         (leaning(2.05, -0.6, 22.0, -30.0), srgb(232, 186, 62)),
         (leaning(1.9, -1.0, 9.0, 200.0), srgb(60, 104, 200)),
-        (lying(-0.75, 1.55, 12.0), srgb(206, 108, 74)),
-        (lying(-1.05, 1.2, -16.0), srgb(60, 104, 200)),
+        (lying(-0.55, 1.5, 12.0), srgb(206, 108, 74)),
+        (lying(-0.95, 1.15, -16.0), srgb(60, 104, 200)),
     ] {
         scene.add("pencil", Placed { shape: pencil(), frame }, Phong::of(color, 0.4, 50.0));
     }
-    Ok(view(scene, camera([0.5, 3.2, 7.4], [0.02, 0.78, 0.0], 28.0, &settings.values)?))
+    Ok(view(scene, camera([0.5, 3.2, 7.4], [0.02, 0.78, 0.0], 29.0, &settings.values)?))
 }

@@ -50,8 +50,8 @@ pub(crate) fn make<F: Fn(FilmPoint) -> Ray + Send + Sync + 'static>(
     let view = |camera: Camera| Ok::<_, Error>(LocalIllumination { scene: scene()?, camera, terms: Terms::ALL });
     let eye = pinhole()?.eye();
     let lookat = Vec3::from_array(LOOKAT);
-    // As wide as what the pinhole camera sees at the point where both look.
-    let side = 2.0 * (eye - lookat).length() * common::float::tan(17.0_f32.to_radians());
+    // A little more than what the pinhole camera sees at the point where both look.
+    let side = 2.3 * (eye - lookat).length() * common::float::tan(17.0_f32.to_radians());
     // Far enough back that nothing stands behind the film.
     let ray = orthographic(lookat + (eye - lookat) * 4.0, lookat, Vec3::Y, side);
     let parallel = Orthographic { local: view(pinhole()?)?, ray };

@@ -1,6 +1,10 @@
 //! Picture of exercise 1.5: lattice balls.
 
-use common::{Error, Interval, Rgb, Vec3, color::srgb, picture::{Picture, Render, Settings}};
+use common::{
+    Error, Interval, Rgb, Vec3,
+    color::srgb,
+    picture::{Picture, Render, Settings},
+};
 use ray_casting::{
     hit::Hit,
     material::Phong,
@@ -63,7 +67,8 @@ pub(crate) fn make(settings: &Settings, intersect: Intersect) -> Result<Box<dyn 
         (2.1, -0.7, 1.1, 2, 0.13, teal, glossy(srgb(206, 108, 74))),
     ] {
         let center = Vec3::new(x, radius, z);
-        let triangles = ball(halvings).into_iter().map(|t| Triangle { corners: t.map(|v| center + v * radius) }).collect();
+        let triangles =
+            ball(halvings).into_iter().map(|t| Triangle { corners: t.map(|v| center + v * radius) }).collect();
         let bound = Sphere::new(center, radius * 1.001);
         scene.add("lattice", Lattice { triangles, bound, width, intersect }, lattice);
         scene.add("ball", Sphere::new(center, radius * 0.52), inside);

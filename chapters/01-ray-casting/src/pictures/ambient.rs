@@ -1,5 +1,7 @@
 //! What the ambient term stands in for: the same scene without it, with it, and with light followed one step further.
 
+use std::f32::consts::{PI, TAU};
+
 use common::{
     Basis, Error, Interval, Rgb, Stream, Vec3,
     color::srgb,
@@ -36,7 +38,7 @@ pub(super) const PICTURE: Picture = Picture {
           beside the bowl, and corners and the floor under the ball are darker.",
     knobs: &[LIGHT, ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 340>(),
-    samples: 64,
+    samples: 32,
     takes_mesh: false,
     make,
 };
@@ -70,7 +72,7 @@ fn scene() -> Result<Scene<Phong>, Error> {
     let mut scene = Scene::new();
     scene.ambient = Rgb::new(0.30, 0.33, 0.38);
     scene.background = scene.ambient;
-    scene.light(DirectionalLight::new(Vec3::new(0.75, 0.55, 0.35), Rgb::new(0.62, 0.58, 0.5)));
+    scene.light(DirectionalLight::new(Vec3::new(0.75, 0.55, 0.35), Rgb::new(1.95, 1.82, 1.57)));
     scene.add("floor", square(0.0, 60.0)?, Phong::of(srgb(196, 190, 180), 0.0, 1.0));
     scene.add("ball", Sphere::new(Vec3::new(0.62, 0.6, 0.0), 0.6), Phong::of(srgb(236, 232, 224), 0.0, 1.0));
     let bowl = Quadric::paraboloid(0.62, 0.85).placed(crate::frame::Frame::at(Vec3::new(-0.62, 0.0, -0.1)));
@@ -92,7 +94,7 @@ impl Integrator for OneStepFurther {
         let radiance = self.direct.trace(&ray, story);
         let Some((hit, object)) = self.direct.scene.intersect(&ray, Interval::POSITIVE) else { return radiance };
         // Look from the hit in one random direction; those near the normal are more likely, by the cosine.
-        let (u, v) = (random.uniform(), std::f32::consts::TAU * random.uniform());
+        let (u, v) = (random.uniform(), TAU * random.uniform());
         let across = u.sqrt();
         let local = Vec3::new(across * float::cos(v), across * float::sin(v), (1.0 - u).sqrt());
         let direction = Basis::around(hit.shading_normal).to_world(local);
@@ -100,7 +102,7 @@ impl Integrator for OneStepFurther {
         // What is seen there sends its own direct light, or is the sky.
         let incoming = self.direct.trace(&Ray::new(start, direction), &mut Untold);
         story.tell(|| format!("from direction {} comes {}", triple(direction), triple(incoming)));
-        radiance + object.material.diffuse * incoming
+        radiance + object.material.diffuse * PI * incoming
     }
 }
 // ANCHOR_END: gather

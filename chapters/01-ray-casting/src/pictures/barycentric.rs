@@ -35,7 +35,10 @@ impl Integrator for Weights {
     fn radiance(&self, point: FilmPoint, _random: &mut Stream, story: &mut impl Story) -> Rgb {
         let ray = straight_at(point);
         let hit = self.triangle.hit_by_barycentric(&Shear::along(&ray), Interval::POSITIVE);
-        let Some(hit) = hit else { return Rgb::splat(0.012) };
+        let Some(hit) = hit else {
+            story.tell(|| "the ray misses the triangle".into());
+            return Rgb::splat(0.012);
+        };
         let weights = Rgb::from_array(hit.weights);
         story.tell(|| format!("(α, β, γ) = {}", triple(weights)));
         // Draw a line where a weight is within a hundredth of a multiple of a tenth.

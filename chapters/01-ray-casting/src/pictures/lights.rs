@@ -34,9 +34,9 @@ pub(super) const PICTURE: Picture = Picture {
 
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let height = settings.values.number(&HEIGHT);
-    let sun = DirectionalLight::new(Vec3::new(-0.8, 0.8, 0.4), Rgb::splat(0.9));
-    // As bright on the floor below it as the sun is on a surface facing it, at the default height.
-    let lamp = PointLight { position: Vec3::new(0.0, height, 0.0), intensity: Rgb::splat(2.0) };
+    let sun = DirectionalLight::new(Vec3::new(-0.8, 0.8, 0.4), Rgb::splat(2.83));
+    // At the default height, the floor below the lamp gets what a surface gets that faces the sun.
+    let lamp = PointLight { position: Vec3::new(0.0, height, 0.0), intensity: Rgb::splat(7.24) };
     Ok(Box::new(Panels::new(2, vec![view(settings, sun)?, view(settings, lamp)?])))
 }
 

@@ -1,5 +1,7 @@
 //! Any mesh, framed automatically.
 
+use std::ops::RangeInclusive;
+
 use common::{
     Error, Rgb, Vec3,
     color::srgb,
@@ -40,7 +42,15 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     // Stand back until the sphere around the mesh fills the field of view. A mesh in one point gets a radius too.
     const FIELD_OF_VIEW: f32 = 30.0;
     let bounds = mesh.bounds();
-    let radius = (bounds.diagonal() / 2.0).max(bounds.center().abs().max_element() * 1e-6).max(1e-30);
+    let radius = (bounds.diagonal() / 2.0).max(bounds.center().abs().max_element() * 1e-6);
+    // Squares of larger and smaller numbers leave the range of f32.
+    const RADII: RangeInclusive<f32> = 1e-15..=1e15;
+    if !RADII.contains(&radius) {
+        let (least, most) = (RADII.start(), RADII.end());
+        let message =
+            format!("the mesh has a radius of {radius:e} units, and only {least:e} to {most:e} can be framed");
+        return Err(Error::Picture(message));
+    }
     let distance = 0.95 * radius / common::float::sin((FIELD_OF_VIEW / 2.0).to_radians());
     let toward = Vec3::new(0.5, 0.35, 1.0).normalize();
     let eye = bounds.center() + toward * distance;
@@ -49,8 +59,8 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let mut scene = Scene::new();
     scene.ambient = Rgb::splat(0.10);
     scene.background = srgb(34, 38, 46);
-    scene.light(DirectionalLight::new(Vec3::new(0.9, 0.9, 1.0), Rgb::new(0.95, 0.86, 0.72)));
-    scene.light(DirectionalLight::new(Vec3::new(-1.0, 0.3, -0.25), Rgb::new(0.34, 0.42, 0.6)));
+    scene.light(DirectionalLight::new(Vec3::new(0.9, 0.9, 1.0), Rgb::new(2.98, 2.7, 2.26)));
+    scene.light(DirectionalLight::new(Vec3::new(-1.0, 0.3, -0.25), Rgb::new(1.07, 1.32, 1.88)));
     scene.add("mesh", mesh, Phong::of(srgb(214, 196, 164), 0.35, 40.0));
     Ok(Box::new(LocalIllumination { scene, camera, terms: Terms::ALL }))
 }

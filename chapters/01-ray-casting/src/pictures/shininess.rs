@@ -1,7 +1,7 @@
 //! The exponent of the highlight.
 
 use common::{
-    Error, Rgb, Vec3,
+    Error, Vec3,
     color::srgb,
     film::Size,
     knob::{Knob, Step},
@@ -34,7 +34,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let mut scene = stage()?;
     let mut shininess = settings.values.number(&FIRST);
     for x in [-2.2, -1.1, 0.0, 1.1, 2.2] {
-        let material = Phong { specular: Rgb::splat(0.8), ..Phong::of(srgb(40, 122, 88), 0.0, shininess) };
+        let material = Phong::of(srgb(40, 122, 88), 0.8, shininess);
         scene.add("ball", Sphere::new(Vec3::new(x, 0.5, 0.0), 0.5), material);
         shininess *= settings.values.number(&FACTOR);
     }

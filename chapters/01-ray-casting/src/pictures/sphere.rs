@@ -1,7 +1,7 @@
 //! One sphere: the first shape.
 
 use common::{
-    Error, Rgb, Vec3,
+    Error, Vec3,
     color::srgb,
     film::Size,
     picture::{ORBIT, Picture, Render, Settings},
@@ -27,7 +27,7 @@ pub(super) const PICTURE: Picture = Picture {
 
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let mut scene = stage()?;
-    let red = Phong { specular: Rgb::splat(0.6), ..Phong::of(srgb(190, 40, 48), 0.0, 60.0) };
+    let red = Phong::of(srgb(190, 40, 48), 0.6, 60.0);
     scene.add("ball", Sphere::new(Vec3::Y, 1.0), red);
     let camera = camera([0.0, 1.9, 6.5], [0.0, 0.9, 0.0], 30.0, &settings.values)?;
     Ok(Box::new(LocalIllumination { scene, camera, terms: Terms::ALL }))

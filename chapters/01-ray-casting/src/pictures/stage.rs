@@ -17,19 +17,19 @@ use crate::{
 
 /// The sun of the stage: low, from the left and behind, a little cool.
 pub(super) fn sun() -> DirectionalLight {
-    DirectionalLight::new(Vec3::new(-0.9, 0.3, -0.35), Rgb::new(0.55, 0.68, 1.0))
+    DirectionalLight::new(Vec3::new(-0.9, 0.3, -0.35), Rgb::new(1.73, 2.14, 3.14))
 }
 
 /// The lamp of the stage: near, warm, from the right and in front.
 pub(super) fn lamp() -> PointLight {
-    PointLight { position: Vec3::new(2.2, 3.9, 3.0), intensity: Rgb::new(24.0, 19.5, 14.5) }
+    PointLight { position: Vec3::new(2.2, 3.9, 3.0), intensity: Rgb::new(75.4, 61.3, 45.6) }
 }
 
 /// A stage with a floor that fades into the background.
 pub(super) fn stage() -> Result<Scene<Phong>, Error> {
     let mut scene = Scene::new();
     scene.ambient = Rgb::new(0.07, 0.085, 0.12);
-    let floor = Phong { specular: Rgb::ZERO, ..Phong::of(srgb(92, 96, 108), 0.0, 1.0) };
+    let floor = Phong::of(srgb(92, 96, 108), 0.0, 1.0);
     // Far from the lamp the floor shows the ambient light and the sun. The background is the same.
     let sunlight = crate::light::Light::illuminate(&sun(), Vec3::ZERO);
     scene.background =

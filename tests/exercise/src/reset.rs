@@ -1,0 +1,137 @@
+//! Brings a stub back, and keeps what stood in its place.
+
+use std::{
+    fs::{self, OpenOptions},
+    io::{self, Write as _},
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
+
+use crate::{
+    Failure,
+    exercise::{Exercise, read},
+    progress::Progress,
+    stub::stub_of,
+    terminal,
+};
+
+/// Start an exercise again: the stub, all hints closed, nothing remembered.
+pub(crate) fn run(root: &Path, exercise: &Exercise) -> Result<ExitCode, Failure> {
+    let (id, stub) = (exercise.id(), exercise.stub());
+    terminal::say(&match reset(root, exercise)? {
+        None => format!("{} is as it was delivered.", stub.display()),
+        Some(kept) => {
+            format!("Exercise {id} starts again: {}\nWhat you wrote is kept in {}", stub.display(), kept.display())
+        }
+    });
+    Progress::default().save(root, exercise)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Put the stub back. The file in which the student's version is kept, relative to the root; `None` if nothing was changed.
+fn reset(root: &Path, exercise: &Exercise) -> Result<Option<PathBuf>, Failure> {
+    let solution = exercise.solution();
+    let delivered = stub_of(&read(root, &solution)?)
+        .map_err(|what| Failure::system(format!("{} is damaged: {what}", solution.display())))?;
+    let stub = exercise.stub();
+    // Whatever bytes there are, also if they are no text.
+    let written = fs::read(root.join(&stub)).map_err(|e| failed("read", &stub, &e))?;
+    if written == delivered.as_bytes() {
+        return Ok(None);
+    }
+    let kept = keep(root, exercise, &written)?;
+    // Write beside the place and rename, so that there is always one whole file.
+    let neighbour = root.join(&stub).with_extension("rs.part");
+    fs::write(&neighbour, delivered).and_then(|()| fs::rename(&neighbour, root.join(&stub))).map_err(|e| {
+        // The first error is the one to tell.
+        let _ = fs::remove_file(&neighbour);
+        failed("write", &stub, &e)
+    })?;
+    Ok(Some(kept))
+}
+
+/// Store the student's version under a name that is not taken.
+fn keep(root: &Path, exercise: &Exercise, written: &[u8]) -> Result<PathBuf, Failure> {
+    let folder = exercise.folder.join("exercises/kept");
+    let ignore = folder.join(".gitignore");
+    // Kept files are the student's own matter, not the course's.
+    fs::create_dir_all(root.join(&folder))
+        .and_then(|()| fs::write(root.join(&ignore), "*\n"))
+        .map_err(|e| failed("write", &ignore, &e))?;
+    let mut version = 1_u32;
+    loop {
+        let kept = folder.join(format!("{}-{}.{version}.rs", exercise.number, exercise.slug));
+        // Fails if the file is there: nothing is ever written over.
+        let stored = OpenOptions::new().write(true).create_new(true).open(root.join(&kept));
+        match stored.and_then(|mut file| file.write_all(written).and_then(|()| file.sync_all())) {
+            Ok(()) => return Ok(kept),
+            Err(e) if e.kind() == io::ErrorKind::AlreadyExists => version += 1,
+            Err(e) => return Err(failed("write", &kept, &e)),
+        }
+    }
+}
+
+fn failed(what: &str, file: &Path, error: &io::Error) -> Failure {
+    Failure::system(format!("cannot {what} {}: {error}", file.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discovery::{all, tests::workspace};
+
+    const SOLUTION: &str = "//! # Exercise 1.2: a cube\n// STUB: none\nsome\n// END STUB\n";
+    const STUB: &str = "//! # Exercise 1.2: a cube\nnone\n";
+
+    fn toy() -> (tempfile::TempDir, Exercise) {
+        let folder = workspace(&[
+            ("chapters/01-toy/exercises/2-cube.rs", STUB),
+            ("chapters/01-toy/solutions/2-cube.rs", SOLUTION),
+        ]);
+        let cube = all(folder.path()).unwrap().remove(0);
+        (folder, cube)
+    }
+
+    #[test]
+    fn every_version_is_kept() {
+        let (folder, cube) = toy();
+        let root = folder.path();
+        assert_eq!(reset(root, &cube).unwrap(), None);
+        for (number, text) in [(1, "first"), (2, "second")] {
+            fs::write(root.join(cube.stub()), text).unwrap();
+            let kept = reset(root, &cube).unwrap().unwrap();
+            assert_eq!(kept, Path::new(&format!("chapters/01-toy/exercises/kept/2-cube.{number}.rs")));
+            assert_eq!(fs::read_to_string(root.join(kept)).unwrap(), text);
+            assert_eq!(fs::read_to_string(root.join(cube.stub())).unwrap(), STUB);
+        }
+        assert_eq!(fs::read(root.join("chapters/01-toy/exercises/kept/2-cube.1.rs")).unwrap(), b"first");
+        // A kept version is no exercise.
+        assert_eq!(all(root).unwrap().len(), 1);
+    }
+
+    #[test]
+    fn bytes_that_are_no_text_are_kept_too() {
+        let (folder, cube) = toy();
+        fs::write(folder.path().join(cube.stub()), [0xff, 0xfe]).unwrap();
+        let kept = reset(folder.path(), &cube).unwrap().unwrap();
+        assert_eq!(fs::read(folder.path().join(kept)).unwrap(), [0xff, 0xfe]);
+    }
+
+    #[test]
+    fn a_damaged_solution_changes_nothing() {
+        let (folder, cube) = toy();
+        let root = folder.path();
+        fs::write(root.join(cube.solution()), "// STUB: none\n").unwrap();
+        fs::write(root.join(cube.stub()), "mine").unwrap();
+        assert!(reset(root, &cube).unwrap_err().message.contains("damaged"));
+        assert_eq!(fs::read_to_string(root.join(cube.stub())).unwrap(), "mine");
+    }
+
+    #[test]
+    fn everything_is_forgotten() {
+        let (folder, cube) = toy();
+        Progress { hints: 2, asked_for_solution: true, passed: true }.save(folder.path(), &cube).unwrap();
+        run(folder.path(), &cube).unwrap();
+        assert_eq!(Progress::load(folder.path(), &cube), Progress::default());
+    }
+}

@@ -1,0 +1,67 @@
+//! Shows a solution: at once when the answer is right, otherwise when asked twice.
+
+use std::{path::Path, process::ExitCode};
+
+use crate::{
+    Failure,
+    cargo::{Messages, State, check},
+    exercise::{Exercise, read},
+    progress::Progress,
+    stub, terminal,
+};
+
+/// Show the solution, or ask whether it is really wanted.
+pub(crate) fn show(root: &Path, exercise: &Exercise) -> Result<ExitCode, Failure> {
+    let progress = Progress::load(root, exercise);
+    let is_open = progress.passed || progress.asked_for_solution || is_right(root, exercise)?;
+    terminal::say(&if is_open { text(root, exercise)? } else { question(exercise) });
+    if !is_open {
+        Progress { asked_for_solution: true, ..progress }.save(root, exercise)?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn is_right(root: &Path, exercise: &Exercise) -> Result<bool, Failure> {
+    Ok(check(root, exercise, &exercise.example(), Messages::Hidden)? == State::Done)
+}
+
+fn question(exercise: &Exercise) -> String {
+    let id = exercise.id();
+    format!(
+        "Your answer to {id} is not right yet. Do you really want to see the solution? Then ask again.\n\n\
+         A hint gives away less: cargo exercise {id} --hint"
+    )
+}
+
+/// The solution from the student's own part on: the task above it and the machinery below are known.
+fn text(root: &Path, exercise: &Exercise) -> Result<String, Failure> {
+    let file = exercise.solution();
+    let code = stub::without_marks(&read(root, &file)?);
+    let code: Vec<_> = code.lines().skip_while(|line| line.starts_with("//!")).collect();
+    Ok(format!("// {}\n{}", file.display(), code.join("\n")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discovery::{all, tests::workspace};
+
+    #[test]
+    fn before_the_answer_is_right_it_must_be_asked_for_twice() {
+        let folder = workspace(&[
+            ("chapters/01-toy/exercises/2-cube.rs", "fn main() {}"),
+            (
+                "chapters/01-toy/solutions/2-cube.rs",
+                "//! # Task\n\nfn main() {\n    // STUB:\n    cube();\n    // END STUB\n}\n",
+            ),
+        ]);
+        let (root, cube) = (folder.path(), &all(folder.path()).unwrap()[0]);
+        let asked = Progress { asked_for_solution: true, ..Progress::default() };
+        asked.save(root, cube).unwrap();
+        show(root, cube).unwrap();
+        assert_eq!(Progress::load(root, cube), asked);
+        let text = text(root, cube).unwrap();
+        assert!(text.ends_with("2-cube.rs\n\nfn main() {\n    cube();\n}"), "{text}");
+        assert!(question(cube).contains("ask again") && question(cube).contains("1.2 --hint"));
+    }
+}

@@ -46,6 +46,9 @@ pub(crate) fn replace(lines: &[Line], output: &mut Output) -> Result<String, Vec
     let mut copied = 0;
     for Formula { range, tex, is_display } in formulas {
         replaced.push_str(&text[copied..range.start]);
+        if has_bare_root(&tex) {
+            mistakes.push(mistake(range.start, format!("write \\sqrt{{…}} with braces in `{}`", tex.trim())));
+        }
         match render(&context, &tex, is_display) {
             Ok(html) => replaced.push_str(&output.inline(html)),
             Err(error) => {
@@ -57,6 +60,11 @@ pub(crate) fn replace(lines: &[Line], output: &mut Output) -> Result<String, Vec
     }
     replaced.push_str(&text[copied..]);
     if mistakes.is_empty() { Ok(replaced) } else { Err(mistakes) }
+}
+
+/// Whether a root has its argument without braces: katex-rs 0.3 draws the sign of such a root in the wrong place.
+fn has_bare_root(tex: &str) -> bool {
+    tex.split("\\sqrt").skip(1).any(|argument| !argument.trim_start().starts_with(['{', '[']))
 }
 
 /// A formula as HTML to look at and MathML to hear.

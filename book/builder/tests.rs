@@ -63,6 +63,7 @@ fn mistakes_name_place_and_remedy() {
         ("{{#include a.rs}}", "there is no directive `{{#include}}`"),
         ("see {{#crates}}", "`{{#crates}}` stands alone on its line"),
         ("{{#crates", "a directive is closed by `}}`"),
+        ("a\n\n$\\sqrt D$", "index.md:3: write \\sqrt{…} with braces in `\\sqrt D`"),
         ("a\n\n$\\frac{1}$", "index.md:3: the formula `\\frac{1}` is not right"),
         ("a\n\n$$\nx\n+ y\n$$", "index.md:3: this `$` belongs to no formula"),
         ("<summary>$\\x$</summary>", "index.md:1: the formula `\\x` is not right"),

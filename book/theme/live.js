@@ -263,6 +263,7 @@
         };
         if (yaw >= 0 || pitch >= 0) {
             canvas.classList.add("turns");
+            canvas.title = "Drag to turn the camera. Click, and the wheel zooms.";
             let last;
             canvas.onpointerdown = (event) => {
                 canvas.setPointerCapture(event.pointerId);

@@ -86,9 +86,45 @@ impl Finding {
 
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { tried, got, expected, advice } = self;
-        write!(f, "Tried:    {tried}\nGot:      {got}\nExpected: {expected}\n\n{advice}")
+        for (lead, text) in [("Tried:    ", &self.tried), ("Got:      ", &self.got), ("Expected: ", &self.expected)] {
+            writeln!(f, "{}", paragraph(lead, text))?;
+        }
+        write!(f, "\n{}", paragraph("", &self.advice))
     }
+}
+
+/// Longest line of a message, in characters.
+const WIDTH: usize = 100;
+
+/// Text behind a lead, in lines of at most [`WIDTH`] characters, all of them as far from the margin as the first.
+fn paragraph(lead: &str, text: &str) -> String {
+    let (mut paragraph, mut width) = (lead.to_owned(), lead.len());
+    for (i, word) in words(text).iter().enumerate() {
+        let length = word.chars().count();
+        if i > 0 && width + 1 + length > WIDTH {
+            paragraph += &format!("\n{}", " ".repeat(lead.len()));
+            width = lead.len();
+        } else if i > 0 {
+            paragraph.push(' ');
+            width += 1;
+        }
+        paragraph += word;
+        width += length;
+    }
+    paragraph
+}
+
+/// The words of a text. What stands in parentheses is not parted, so that points stay whole.
+fn words(text: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let is_open = |word: &String| word.matches('(').count() > word.matches(')').count();
+    for word in text.split_whitespace() {
+        match words.last_mut().filter(|last| is_open(last)) {
+            Some(last) => *last += &format!(" {word}"),
+            None => words.push(word.to_owned()),
+        }
+    }
+    words
 }
 
 #[cfg(test)]
@@ -107,6 +143,19 @@ mod tests {
         let text = "Tried:    a ray\nGot:      no hit\nExpected: a hit\n\nLook at the sign. [sign]";
         assert_eq!(format!("{diagnosis}"), text);
         assert_eq!(format!("{diagnosis:?}"), text);
+    }
+
+    #[test]
+    fn long_texts_are_broken_between_words() {
+        let text = ["twelve chars"; 12].join(" ");
+        let broken = paragraph("Got: ", &text);
+        assert!(broken.lines().all(|line| line.chars().count() <= WIDTH));
+        assert_eq!(broken.lines().count(), 2);
+        assert!(broken.lines().nth(1).unwrap().starts_with("     "));
+        assert_eq!(broken.split_whitespace().skip(1).collect::<Vec<_>>().join(" "), text);
+        // A word that is too long stands alone, and a point stays whole.
+        assert_eq!(paragraph("", &"x".repeat(200)).len(), 200);
+        assert_eq!(words("from (1, 2, 3) on"), ["from", "(1, 2, 3)", "on"]);
     }
 
     #[test]

@@ -1,14 +1,22 @@
 //! A second opinion in f64, and how to judge an answer in f32 by it.
 //!
-//! Nothing here uses the code of the course, so that both cannot be wrong in the same way.
+//! No formula of the course is used here, so that both cannot be wrong in the same way.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
 use common::{Interval, Vec3};
-use ray_casting::{hit::Hit, ray::Ray, shape::Shape};
+use ray_casting::{
+    hit::{Hit, Side},
+    ray::Ray,
+    shape::Shape,
+};
 
 /// Distance from 1 to the next f32: twice the greatest relative error of one operation.
 pub(crate) const EPSILON: f64 = f32::EPSILON as f64;
+
+/// How many roundings of its largest number an honest computation may add up. All shapes get along with 2; some room is
+/// left for other honest ways to write the same formula.
+pub(crate) const ROUNDINGS: f64 = 4.0;
 
 /// A vector of f64.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -182,6 +190,18 @@ pub(crate) trait Reference {
         }
         Ok(())
     }
+}
+
+/// Judge the normals and the side of a hit where the surface's outward normal has the direction of `outward`.
+pub(crate) fn check_normals(line: &Line, hit: &Hit, outward: V, tolerance: f64) -> Result<(), String> {
+    let leaves = outward.dot(line.direction) > 0.0;
+    let expected = outward.unit() * if leaves { -1.0 } else { 1.0 };
+    let error = (V::from(hit.geometric_normal) - expected).length();
+    if error > tolerance || hit.shading_normal != hit.geometric_normal {
+        return Err(format!("normals of {hit:?} are {error} away from {expected:?}, allowed {tolerance}"));
+    }
+    let side = if leaves { Side::Inside } else { Side::Outside };
+    if hit.side == side { Ok(()) } else { Err(format!("{hit:?} should be on the side {side:?}")) }
 }
 
 /// How many rays have been judged, and how many of them were close.

@@ -5,7 +5,7 @@
 use common::{
     Interval, Rgb, Stream, Vec3,
     film::{Film, Size},
-    picture::Settings,
+    picture::{PITCH, Settings},
     renderer::{self, Plan},
     story::Untold,
 };
@@ -15,6 +15,7 @@ use ray_casting::{
     light::{DirectionalLight, Light, PointLight},
     local_illumination::{LocalIllumination, Terms},
     material::Phong,
+    mesh::{Mesh, Shading},
     pictures::still_life,
     ray::Ray,
     scene::Scene,
@@ -23,6 +24,7 @@ use ray_casting::{
 
 use crate::{
     exact::{EPSILON, V},
+    icosphere::icosphere,
     rays::{aimed, direction, in_cube, magnitude, one_of},
 };
 
@@ -99,8 +101,9 @@ fn formula(material: &Phong, ambient: Rgb, lamps: &[Lamp], point: V, normal: V, 
 fn brightness_is_what_the_formula_says() {
     let mut random = Stream::new(601, 0, 0);
     let [mut hits, mut lit, mut shiny] = [0; 3];
+    let mesh = Mesh::new(&icosphere(0), Shading::Smooth).unwrap();
     for i in 0..30_000 {
-        // Make a ball of any material, up to three lights, and a ray toward the ball.
+        // Make a ball or a mesh of any material, up to three lights, and a ray toward it.
         let material = Phong {
             ambient: random_color(&mut random),
             diffuse: random_color(&mut random),
@@ -111,7 +114,10 @@ fn brightness_is_what_the_formula_says() {
         let mut scene = Scene::new();
         scene.ambient = random_color(&mut random);
         scene.background = random_color(&mut random);
-        scene.add("ball", Sphere::new(in_cube(&mut random), 1.0), material);
+        match one_of(&mut random, 2) {
+            0 => scene.add("ball", Sphere::new(in_cube(&mut random), 1.0), material),
+            _ => scene.add("smooth mesh", mesh.clone(), material),
+        };
         lamps.iter().for_each(|lamp| lamp.shine_on(&mut scene));
         let ray = aimed(direction(&mut random) * 5.0, in_cube(&mut random));
         let terms = Terms { ambient: i & 4 == 0, diffuse: i & 8 == 0, specular: i & 16 == 0 };
@@ -145,6 +151,8 @@ fn the_panels_of_the_terms_add_up() {
     let [ambient, diffuse, specular, sum] = ["ambient", "diffuse", "specular", "sum"].map(|name| {
         let mut settings = Settings::default();
         settings.values.set(term, term.parse(name).unwrap());
+        // Look level, so that the background is seen too.
+        settings.values.set(&PITCH, -16.0);
         let mut film = Film::new(Size::of::<192, 108>());
         let plan = Plan { samples: 1, seed: 0, threads: 1 };
         renderer::render(&*(picture.make)(&settings).unwrap(), &mut film, &plan, &());

@@ -4,19 +4,16 @@
 
 use common::{Stream, Vec3};
 use ray_casting::{
-    hit::{Hit, Side},
+    hit::Hit,
     implicit::{Gyroid, Heart, Implicit, ImplicitSurface, Tanglecube},
     shape::Shape,
     sphere::Sphere,
 };
 
 use crate::{
-    exact::{AXES, Crossing, EPSILON, Line, Reference, Tally, V},
+    exact::{AXES, Crossing, EPSILON, Line, ROUNDINGS, Reference, Tally, V, check_normals},
     rays::{Target, in_cube},
 };
-
-/// How many roundings an honest computation may add up.
-const ROUNDINGS: f64 = 4.0;
 
 /// The zeros of a function inside a ball around the origin.
 pub(crate) struct Zeros {
@@ -28,7 +25,7 @@ pub(crate) struct Zeros {
     step: f64,
 }
 
-pub(crate) fn tanglecube(V([x, y, z]): V) -> f64 {
+fn tanglecube(V([x, y, z]): V) -> f64 {
     x.powi(4) + y.powi(4) + z.powi(4) - 5.0 * (x * x + y * y + z * z) + 11.8
 }
 
@@ -36,7 +33,7 @@ fn tanglecube_terms(V([x, y, z]): V) -> f64 {
     x.powi(4) + y.powi(4) + z.powi(4) + 5.0 * (x * x + y * y + z * z) + 11.8
 }
 
-pub(crate) fn heart(V([x, y, z]): V) -> f64 {
+fn heart(V([x, y, z]): V) -> f64 {
     (x * x + 9.0 / 4.0 * z * z + y * y - 1.0).powi(3) - x * x * y.powi(3) - 9.0 / 80.0 * z * z * y.powi(3)
 }
 
@@ -48,7 +45,7 @@ fn heart_terms(V([x, y, z]): V) -> f64 {
 }
 
 /// A gyroid of frequency 5.
-pub(crate) fn gyroid(p: V) -> f64 {
+fn gyroid(p: V) -> f64 {
     let [(sx, cx), (sy, cy), (sz, cz)] = p.0.map(|x| (5.0 * x).sin_cos());
     sx * cy + sy * cz + sz * cx
 }
@@ -146,7 +143,8 @@ impl Reference for Zeros {
             // Between two half steps the function may come near zero, or pass it twice.
             if let [a, b, c] = values[i - 1..values.len().min(i + 2)]
                 && b.abs() < a.abs().min(c.abs())
-                && (a < 0.0, b < 0.0) == (b < 0.0, c < 0.0)
+                && (a < 0.0) == (b < 0.0)
+                && (b < 0.0) == (c < 0.0)
             {
                 let (lowest, least) = least(|d| value(d) * b.signum(), at(i - 1), at(i + 1));
                 if least < 0.0 {
@@ -183,14 +181,7 @@ impl Reference for Zeros {
         if !crossing.certain || tolerance > 0.1 {
             return Ok(());
         }
-        let leaves = gradient.dot(line.direction) > 0.0;
-        let expected = gradient.unit() * if leaves { -1.0 } else { 1.0 };
-        let error = (V::from(hit.geometric_normal) - expected).length();
-        if error > tolerance || hit.shading_normal != hit.geometric_normal {
-            return Err(format!("normals of {hit:?} are {error} away from {expected:?}, allowed {tolerance}"));
-        }
-        let side = if leaves { Side::Inside } else { Side::Outside };
-        if hit.side == side { Ok(()) } else { Err(format!("{hit:?} should be on the side {side:?}")) }
+        check_normals(line, hit, gradient, tolerance)
     }
 }
 
@@ -203,6 +194,7 @@ fn least(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f6
     (low, function(low))
 }
 
+/// Ask a shape about many random rays; tell the first wrong answer.
 fn judge(shape: &dyn Shape, zeros: &Zeros, rays: u32, seed: u64) -> Result<Tally, String> {
     let (mut random, mut tally) = (Stream::new(seed, 0, 0), Tally::default());
     let surface = |random: &mut Stream| zeros.random_point(random);
@@ -215,6 +207,7 @@ fn judge(shape: &dyn Shape, zeros: &Zeros, rays: u32, seed: u64) -> Result<Tally
     Ok(tally)
 }
 
+/// The shape whose zeros these should be.
 fn shape<F: Implicit>(function: F, zeros: &Zeros) -> ImplicitSurface<F> {
     let bound = Sphere::new(Vec3::ZERO, zeros.radius as f32);
     ImplicitSurface { function, bound, step: zeros.step as f32 }

@@ -44,10 +44,10 @@ fn on_edge(mesh: &ObjMesh, random: &mut Stream) -> (Vec3, u32) {
 pub(crate) fn leaks_of_a_sphere() -> Leaks {
     let sphere = icosphere(5);
     // A ray that is aimed at an edge can meet only triangles around the edge.
-    let mut around = vec![HashSet::new(); sphere.positions.len()];
+    let mut around = vec![Vec::new(); sphere.positions.len()];
     for corners in &sphere.triangles {
         for &corner in corners {
-            around[corner as usize].insert(corners);
+            around[corner as usize].push(corners);
         }
     }
     let mut random = Stream::new(305, 0, 0);
@@ -115,7 +115,8 @@ struct Facets(Vec<Facet>);
 impl Reference for Facets {
     fn crossings(&self, line: &Line) -> Vec<Crossing> {
         let mut crossings: Vec<_> = self.0.iter().flat_map(|facet| facet.crossings(line)).collect();
-        crossings.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        // What may be met first comes first.
+        crossings.sort_by(|a, b| (a.distance - a.tolerance).total_cmp(&(b.distance - b.tolerance)));
         crossings
     }
 

@@ -12,16 +12,13 @@ use ray_casting::{
 };
 
 use crate::{
-    exact::{EPSILON, V},
+    exact::{EPSILON, ROUNDINGS, V},
     icosphere::icosphere,
     implicit::{GYROID, HEART, TANGLECUBE, Zeros},
     meshes::asset,
     rays::{aimed, direction, in_cube, magnitude},
     shapes::random_quadric,
 };
-
-/// How many roundings an honest computation may add up.
-const ROUNDINGS: f64 = 4.0;
 
 #[test]
 fn implicit_functions_have_the_value_and_gradient_that_they_should() {
@@ -116,6 +113,20 @@ fn shading_normals_are_exact_in_the_corners_and_linear_between() {
         assert!(error < ROUNDINGS * EPSILON, "{ray:?} {hit:?}, not {expected:?}");
         assert_eq!((hit.geometric_normal, hit.side), (up, side));
     }
+}
+
+#[test]
+fn large_triangles_count_more_in_the_normals_of_their_corners() {
+    // Two triangles at right angles with a common edge along x; the second is three times as large.
+    let obj = ObjMesh {
+        positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y, -3.0 * Vec3::Z],
+        triangles: vec![[0, 1, 2], [1, 0, 3]],
+        ..ObjMesh::default()
+    };
+    let mesh = Mesh::new(&obj, Shading::Smooth).unwrap();
+    let hit = mesh.intersect(&Ray::new(Vec3::Z, -Vec3::Z), Interval::POSITIVE).unwrap();
+    assert_eq!(hit.geometric_normal, Vec3::Z);
+    assert!((hit.shading_normal - Vec3::new(0.0, -3.0, 1.0).normalize()).length() < 1e-6, "{hit:?}");
 }
 
 /// The greatest angle in degrees between the normals of an icosphere and the radius: flat, and smooth.

@@ -149,7 +149,7 @@ fn chapter_1() -> String {
     }
 
     numbers.about("The smaller root of t² − 2·10⁴ t + 1.");
-    numbers.pin("small-root-exact", format!("{:.16}", 1.0 / (1e4 + (1e8_f64 - 1.0).sqrt())));
+    numbers.pin("small-root-exact", format!("{:.15}", 1.0 / (1e4 + (1e8_f64 - 1.0).sqrt())));
     numbers.pin("small-root-textbook", quadratic::solve_textbook(1.0, -2e4, 1.0).0[0]);
     numbers.pin("small-root-stable", quadratic::solve(1.0, -1e4, 1.0, 1e8 - 1.0).0[0]);
 

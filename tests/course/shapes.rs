@@ -13,12 +13,9 @@ use ray_casting::{
 };
 
 use crate::{
-    exact::{AXES, Crossing, EPSILON, Line, Reference, Tally, V},
+    exact::{AXES, Crossing, EPSILON, Line, ROUNDINGS, Reference, Tally, V, check_normals},
     rays::{Target, between, direction, in_cube, magnitude, one_of},
 };
-
-/// How many roundings an honest computation may add up.
-const ROUNDINGS: f64 = 4.0;
 
 /// A surface of second degree as the books write it: the zeros of a function, between two heights, in a turned frame.
 pub(crate) struct Surface {
@@ -135,14 +132,7 @@ impl Reference for Surface {
         if !crossing.certain || tolerance > 0.1 {
             return Ok(());
         }
-        let leaves = gradient.dot(line.direction) > 0.0;
-        let expected = gradient.unit() * if leaves { -1.0 } else { 1.0 };
-        let error = (V::from(hit.geometric_normal) - expected).length();
-        if error > tolerance || hit.shading_normal != hit.geometric_normal {
-            return Err(format!("normals of {hit:?} are {error} away from {expected:?}, allowed {tolerance}"));
-        }
-        let side = if leaves { Side::Inside } else { Side::Outside };
-        if hit.side == side { Ok(()) } else { Err(format!("{hit:?} should be on the side {side:?}")) }
+        check_normals(line, hit, gradient, tolerance)
     }
 }
 

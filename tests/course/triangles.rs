@@ -10,12 +10,9 @@ use ray_casting::{
 };
 
 use crate::{
-    exact::{Crossing, EPSILON, Line, Reference, Tally, V},
+    exact::{Crossing, EPSILON, Line, ROUNDINGS, Reference, Tally, V, check_normals},
     rays::{Target, aimed, direction, in_cube, magnitude, one_of},
 };
-
-/// How many roundings an honest computation may add up.
-const ROUNDINGS: f64 = 4.0;
 
 /// A triangle in f64, and which way the f32 goes that it judges.
 pub(crate) struct Facet {
@@ -108,15 +105,8 @@ impl Reference for Facet {
             return Err(format!("{hit:?} is {away} away from its place"));
         }
         let n = self.normal();
-        let leaves = n.dot(line.direction) > 0.0;
-        let expected = n.unit() * if leaves { -1.0 } else { 1.0 };
-        let error = (V::from(hit.geometric_normal) - expected).length();
         let tolerance = ROUNDINGS * EPSILON * (1.0 + self.longest_side() * self.longest_side() / n.length());
-        if error > tolerance || hit.shading_normal != hit.geometric_normal {
-            return Err(format!("normals of {hit:?} are {error} away from {expected:?}, allowed {tolerance}"));
-        }
-        let side = if leaves { Side::Inside } else { Side::Outside };
-        if hit.side == side { Ok(()) } else { Err(format!("{hit:?} should be on the side {side:?}")) }
+        check_normals(line, hit, n, tolerance)
     }
 }
 
@@ -275,8 +265,7 @@ fn triangles_without_area_are_no_surface() {
         let ray = aimed(aim + in_cube(&mut random) * size, aim);
         assert_eq!(triangle.hit_by_edges(&ray, Interval::POSITIVE), None, "{triangle:?} {ray:?}");
         // Seen along a ray, three corners on a line may be rounded to a triangle one rounding thin. It fills the crack
-        // between its neighbours, and it may be hit; but only where the ray
-        // meets that line, and facing the ray.
+        // between its neighbours, and it may be hit; but only where the ray meets that line, and facing the ray.
         let Some(hit) = triangle.intersect(&ray, Interval::POSITIVE) else { continue };
         let across = V::from(d).cross(V::from(ray.direction));
         let aside = (V::from(ray.origin) - V::from(c)).dot(across.unit()).abs();

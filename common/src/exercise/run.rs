@@ -13,7 +13,7 @@ use super::{Diagnosis, Verdict};
 use crate::{cli, output, picture::Chapter};
 
 /// How long an answer may take before it counts as an endless loop. Every check takes less than a second.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(20);
 
 /// All that the `main` of an exercise does: check the answer, then render the picture of `chapter`, whose name begins
 /// with the exercise's number.

@@ -1,12 +1,11 @@
 //! Hints in stages: each call opens one more.
 
-use std::{path::Path, process::ExitCode};
+use std::path::Path;
 
 use crate::{
     Failure,
     exercise::{Exercise, read},
     progress::Progress,
-    terminal,
 };
 
 /// The hints of a file, parted by lines `---`.
@@ -23,13 +22,12 @@ pub(crate) fn staged(text: &str) -> Vec<String> {
     hints.into_iter().map(|hint| hint.trim().to_owned()).collect()
 }
 
-/// Open the next hint; when all are open, show all of them again.
-pub(crate) fn open_next(root: &Path, exercise: &Exercise) -> Result<ExitCode, Failure> {
+/// Open the next hint: its text; when all are open, that of all of them.
+pub(crate) fn open_next(root: &Path, exercise: &Exercise) -> Result<String, Failure> {
     let hints = staged(&read(root, &exercise.hints())?);
     let progress = Progress::load(root, exercise);
-    terminal::say(&shown(&hints, progress.hints, &exercise.id()));
     Progress { hints: (progress.hints + 1).min(hints.len()), ..progress }.save(root, exercise)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(shown(&hints, progress.hints, &exercise.id()))
 }
 
 /// What to show when `open` hints were open before.

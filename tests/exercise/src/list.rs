@@ -1,25 +1,23 @@
 //! All exercises and how far they are.
 
-use std::{path::Path, process::ExitCode};
+use std::path::Path;
 
 use crate::{
     Failure,
     cargo::{Messages, State, build, check},
     exercise::Exercise,
     progress::Progress,
-    terminal,
 };
 
-/// Check all exercises and list them.
-pub(crate) fn show(root: &Path, exercises: &[Exercise]) -> Result<ExitCode, Failure> {
+/// Check all exercises: the list of them.
+pub(crate) fn show(root: &Path, exercises: &[Exercise]) -> Result<String, Failure> {
     let states = states(root, exercises)?;
     for (exercise, state) in exercises.iter().zip(&states) {
         if *state == State::Done {
             Progress { passed: true, ..Progress::load(root, exercise) }.save(root, exercise)?;
         }
     }
-    terminal::say(&text(exercises, &states));
-    Ok(ExitCode::SUCCESS)
+    Ok(text(exercises, &states))
 }
 
 /// The state of each.

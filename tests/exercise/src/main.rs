@@ -52,24 +52,22 @@ fn run() -> Result<ExitCode, Failure> {
     // An argument that is no text names nothing, and is refused by what can be shown of it.
     let given = std::env::args_os().skip(1).map(|argument| argument.to_string_lossy().into_owned());
     let command = arguments::parse(given)?;
-    if command == Command::Help {
-        terminal::say(arguments::HELP);
-        return Ok(ExitCode::SUCCESS);
-    }
     let root = discovery::root()?;
     let exercises = discovery::all(&root)?;
-    match command {
-        Command::Help => Ok(ExitCode::SUCCESS),
-        Command::List => list::show(&root, &exercises),
-        Command::Prove => prove::all(&root, &exercises),
+    let text = match command {
+        Command::Help => arguments::HELP.into(),
+        Command::Prove => return prove::all(&root, &exercises),
+        Command::List => list::show(&root, &exercises)?,
         Command::One { name, wish } => {
             let exercise = discovery::named(&exercises, &name)?;
             match wish {
-                Wish::Check => answer::check(&root, &exercises, exercise),
-                Wish::Hint => hints::open_next(&root, exercise),
-                Wish::Solution => solution::show(&root, exercise),
-                Wish::Reset => reset::run(&root, exercise),
+                Wish::Check => return answer::check(&root, &exercises, exercise),
+                Wish::Hint => hints::open_next(&root, exercise)?,
+                Wish::Solution => solution::show(&root, exercise)?,
+                Wish::Reset => reset::run(&root, exercise)?,
             }
         }
-    }
+    };
+    terminal::say(&text);
+    Ok(ExitCode::SUCCESS)
 }

@@ -4,7 +4,6 @@ use std::{
     fs::{self, OpenOptions},
     io::{self, Write as _},
     path::{Path, PathBuf},
-    process::ExitCode,
 };
 
 use crate::{
@@ -12,20 +11,19 @@ use crate::{
     exercise::{Exercise, read},
     progress::Progress,
     stub::stub_of,
-    terminal,
 };
 
-/// Start an exercise again: the stub, all hints closed, nothing remembered.
-pub(crate) fn run(root: &Path, exercise: &Exercise) -> Result<ExitCode, Failure> {
+/// Start an exercise again: the stub, all hints closed, nothing remembered. What to say about it.
+pub(crate) fn run(root: &Path, exercise: &Exercise) -> Result<String, Failure> {
     let (id, stub) = (exercise.id(), exercise.stub());
-    terminal::say(&match reset(root, exercise)? {
+    let kept = reset(root, exercise)?;
+    Progress::default().save(root, exercise)?;
+    Ok(match kept {
         None => format!("{} is as it was delivered.", stub.display()),
         Some(kept) => {
             format!("Exercise {id} starts again: {}\nWhat you wrote is kept in {}", stub.display(), kept.display())
         }
-    });
-    Progress::default().save(root, exercise)?;
-    Ok(ExitCode::SUCCESS)
+    })
 }
 
 /// Put the stub back. The file in which the student's version is kept, relative to the root; `None` if nothing was changed.

@@ -89,7 +89,7 @@ fn one_ray_for_each_mistake<S: Shape>(
     let advice = "This ray comes from below. A plane is hit from both sides; `Hit::new` turns the normal and notes the \
                   side.";
     floor.probe(&from_below, Interval::POSITIVE, "one-sided", advice)?;
-    let advice = "The range is open: its ends do not count. `range.contains(t)` knows that.";
+    let advice = "Only what lies inside the range counts, and its ends do not. `range.contains(t)` knows that.";
     for range in [Interval::new(0.0, 3.0), Interval::new(3.0, 10.0)] {
         floor.probe(down, range, "range-not-open", advice)?;
     }

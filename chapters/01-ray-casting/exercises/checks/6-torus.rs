@@ -114,7 +114,8 @@ pub(crate) fn check<S: Shape>(make: impl Fn(Vec3, f32, f32) -> S) -> Verdict {
     away.probe(&Ray::new(Vec3::new(4.0, 3.0, 1.0), -Vec3::Y), Interval::POSITIVE, "center-ignored", advice)?;
 
     let mut dice = Dice::new(16);
-    far(&ring, &mut dice)?;
+    // An f32 near 1000 has steps of 6e-5, and there are several roundings.
+    far(&Trial { slack: Slack { t: 2e-2, normal: 5e-2 }, ..ring }, &mut dice)?;
 
     // Many rays at many tori, thin and thick.
     for _ in 0..60 {
@@ -168,7 +169,13 @@ fn far<S: Shape>(ring: &Trial<S, Ideal>, dice: &mut Dice) -> Verdict {
     for _ in 0..300 {
         let (target, toward) = (dice.point(2.5).with_y(dice.number(-0.5, 0.5)), dice.direction().normalize());
         let from = |distance: f32| Ray::new(target + toward * distance, -toward);
+        // A ray that comes in flat magnifies the errors of its own numbers.
+        let is_steep =
+            |ray: &Ray| ring.ideal.crossings(ray).is_some_and(|c| c.iter().all(|c| c.cosine(ray).abs() > 0.2));
         let far = from(dice.choice([30.0, 300.0, 1000.0]));
+        if !is_steep(&far) {
+            continue;
+        }
         // What is wrong from nearby too has another reason.
         ring.ask(&from(5.0), Interval::POSITIVE)?;
         let advice = "From nearby such a ray finds its hit, from far away it does not: the quartic's numbers become so great \

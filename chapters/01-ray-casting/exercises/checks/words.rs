@@ -41,7 +41,7 @@ pub(crate) fn range(range: Interval) -> String {
         f32::NEG_INFINITY => "−∞".into(),
         t => t.to_string(),
     };
-    format!("{} < t < {}", end(range.min), end(range.max))
+    format!("range {} < t < {}", end(range.min), end(range.max))
 }
 
 /// What an answer says about a ray.

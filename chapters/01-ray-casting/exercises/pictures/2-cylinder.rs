@@ -11,8 +11,8 @@ use super::stage::{self, Make, Placed, camera, stage, view};
 
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {
-    let alt = "Cylinders on a dark stage: two drums, three slightly crooked stacks of gold coins, a coin on its edge, and \
-               coloured pencils that lean and lie. All of them are closed at both ends.";
+    let alt = "Cylinders on a dark stage: a pot with a lid, a low drum in which three pencils stick, three slightly crooked stacks \
+               of gold coins, a coin on its edge, and two pencils that lie in front. All of them are closed at both ends.";
     stage::picture("1.2-cylinder", alt, make)
 }
 

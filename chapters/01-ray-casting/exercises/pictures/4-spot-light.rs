@@ -41,7 +41,7 @@ pub(crate) fn make<L: Light + 'static>(
     for (x, z) in [(-1.0, 1.0), (1.0, 1.0)] {
         scene.add("small ball", Sphere::new(Vec3::new(x, 0.24, z), 0.24), white);
     }
-    const BRIGHTNESS: f32 = 52.0;
+    const BRIGHTNESS: f32 = 165.0;
     for (x, z, color) in [(-0.85, 0.5, Rgb::X), (0.85, 0.5, Rgb::Y), (0.0, -0.95, Rgb::Z)] {
         let (from, to) = (Vec3::new(2.6 * x, 5.2, 2.6 * z + 0.6), Vec3::new(x, 0.0, z));
         // A little of the other colours, so that no lamp is pure.

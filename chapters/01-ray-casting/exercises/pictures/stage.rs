@@ -32,20 +32,20 @@ pub(super) const fn picture(name: &'static str, alt: &'static str, make: Make) -
 /// A dark scene under a cool sun from the left and a warm lamp from the right.
 pub(super) fn lit() -> Scene<Phong> {
     let mut scene = Scene::new();
-    scene.ambient = Rgb::new(0.10, 0.12, 0.16);
+    scene.ambient = Rgb::new(0.07, 0.085, 0.12);
     scene.light(sun());
-    scene.light(PointLight { position: Vec3::new(2.6, 4.2, 3.4), intensity: Rgb::new(21.0, 18.0, 14.0) });
+    scene.light(PointLight { position: Vec3::new(2.2, 3.9, 3.0), intensity: Rgb::new(75.4, 61.3, 45.6) });
     scene
 }
 
 fn sun() -> DirectionalLight {
-    DirectionalLight::new(Vec3::new(-0.85, 0.42, -0.32), Rgb::new(0.62, 0.72, 0.95))
+    DirectionalLight::new(Vec3::new(-0.9, 0.3, -0.35), Rgb::new(1.73, 2.14, 3.14))
 }
 
 /// The same with a floor that fades into the background.
 pub(super) fn stage() -> Result<Scene<Phong>, Error> {
     let mut scene = lit();
-    let floor = Phong::of(srgb(104, 112, 128), 0.0, 1.0);
+    let floor = Phong::of(srgb(92, 96, 108), 0.0, 1.0);
     // Far from the lamp the floor shows the ambient light and the sun. The background is the same.
     let sun = sun().illuminate(Vec3::ZERO);
     scene.background = floor.ambient * scene.ambient + sun.strength * floor.diffuse_term(sun.direction, Vec3::Y);

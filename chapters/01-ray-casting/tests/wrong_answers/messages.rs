@@ -15,7 +15,8 @@ fn a_message_says_what_was_tried_what_came_out_and_what_was_expected() {
     };
     let message = checks::plane::check(floor).unwrap_err().to_string();
     let expected = "\
-Tried:    the ray from (0, 3, 0) in direction (0, -1, 0), 0 < t < ∞, at the plane through (0, 1, 0) with normal (0, 1, 0)
+Tried:    the ray from (0, 3, 0) in direction (0, -1, 0), range 0 < t < ∞, at the plane through
+          (0, 1, 0) with normal (0, 1, 0)
 Got:      a hit at t = 3, position (0, 0, 0), normal (0, 1, 0), Side::Outside
 Expected: a hit at t = 2 (the plane), normal (0, 1, 0), Side::Outside
 

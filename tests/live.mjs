@@ -176,13 +176,17 @@ await until(`${label("zoom")}.querySelector("output").value === "1.1 times"`, "t
 await until("figure('sphere').dataset.live === 'done'", "the picture after dragging");
 check((await evaluate("hash('sphere')")) !== sphere, "dragging does not change the picture");
 
-// The arrow keys move a slider and do not turn the page.
-await evaluate(`${label("yaw")}.querySelector("input").focus()`);
-const arrow = { key: "ArrowRight", code: "ArrowRight", windowsVirtualKeyCode: 39 };
-await send("Input.dispatchKeyEvent", { type: "keyDown", ...arrow }, sessionId);
-await send("Input.dispatchKeyEvent", { type: "keyUp", ...arrow }, sessionId);
-await until(`${label("yaw")}.querySelector("output").value === "15°"`, "the arrow key moves the slider");
-check((await evaluate("location.href")) === pathToFileURL(page).href, "an arrow key turns the page");
+// The arrow keys move a slider, turn the camera, and do not turn the page.
+await evaluate("window.isHere = true");
+for (const [focused, yaw] of [[`${label("yaw")}.querySelector("input")`, "15°"], ["figure('sphere').querySelector('canvas')", "20°"]]) {
+    await evaluate(`${focused}.focus()`);
+    const arrow = { key: "ArrowRight", code: "ArrowRight", windowsVirtualKeyCode: 39 };
+    await send("Input.dispatchKeyEvent", { type: "keyDown", ...arrow }, sessionId);
+    await send("Input.dispatchKeyEvent", { type: "keyUp", ...arrow }, sessionId);
+    await pause(500);
+    check(await evaluate("window.isHere"), "an arrow key turns the page");
+    check((await value("yaw")) === yaw, `an arrow key turns the camera to ${await value("yaw")} instead of ${yaw}`);
+}
 
 // Stop brings the pinned picture and the button back.
 await evaluate("[...figure('sphere').querySelectorAll('button')].find((b) => b.textContent === 'Stop').click()");

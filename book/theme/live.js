@@ -236,7 +236,7 @@
         const stop = () => {
             workers.forEach((worker) => worker.terminate());
             clearTimeout(rest);
-            cancelAnimationFrame(frame);
+            cancelAnimationFrame(frame ?? 0);
             URL.revokeObjectURL(script);
             canvas.replaceWith(pinned);
             panel.remove();

@@ -48,7 +48,7 @@ impl Camera {
         let right = forward
             .cross(up)
             .try_normalize()
-            .filter(|_| forward.cross(up.normalize_or_zero()).length_squared() > 1e-10)
+            .filter(|_| forward.cross(up.normalize_or_zero()).length_squared() > 1e-6)
             .unwrap_or_else(|| forward.any_orthonormal_vector());
         // Half the window's side: tan(½ angle) times the distance.
         let half = float::tan((field_of_view / 2.0).to_radians()) * (lookat - eye).length();

@@ -99,7 +99,7 @@ mod tests {
         }
     }
 
-    /// t² − 2·10⁴·t + 1: the small root is 5.00000000125e-5. The textbook loses it entirely.
+    /// t² − 2·10⁴·t + 1: the small root is 5.0000000125e-5. The textbook loses it entirely.
     #[test]
     fn the_small_root_survives() {
         let exact = 5.000_000_012_5e-5;

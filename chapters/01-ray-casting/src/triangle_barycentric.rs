@@ -52,8 +52,9 @@ impl Shear {
 impl Triangle {
     /// The hit by barycentric coordinates, solved in the view along the ray.
     ///
-    /// Two triangles with a common edge see the same two points there, and the sign of each weight is exact. So no ray
-    /// slips through between them: the method is watertight.
+    /// Two triangles with a common edge see the same two points there, and the sign of each weight is never wrong. So no
+    /// ray slips through between them: the method is watertight. A triangle whose corners lie in one line is at most as
+    /// wide as the rounding of its corners.
     #[must_use]
     #[inline]
     pub fn hit_by_barycentric(&self, along: &Shear, range: Interval) -> Option<TriangleHit> {
@@ -61,16 +62,12 @@ impl Triangle {
         let (a, b, c) = (along.view(r1), along.view(r2), along.view(r3));
         // In this view the ray is the point (0, 0): each weight is twice the area of the triangle that the opposite
         // edge spans with it.
-        let (mut wa, mut wb, mut wc) = (area(c, b), area(a, c), area(b, a));
-        // A weight of zero may be a rounded one: ask again with enough digits.
-        if wa == 0.0 || wb == 0.0 || wc == 0.0 {
-            (wa, wb, wc) = (exact_area(c, b), exact_area(a, c), exact_area(b, a));
-        }
+        let (wa, wb, wc) = (area(c, b), area(a, c), area(b, a));
         // Inside means: no two weights of different sign.
         if (wa < 0.0 || wb < 0.0 || wc < 0.0) && (wa > 0.0 || wb > 0.0 || wc > 0.0) {
             return None;
         }
-        // Make them sum to one. A triangle without area, or seen along its plane, has sum zero, and t is no number.
+        // Make them sum to one. Corners in one place, and a triangle seen along its plane, have sum zero: t is no number.
         let sum = wa + wb + wc;
         let weights = [wa / sum, wb / sum, wc / sum];
         let t = weights[0] * a.z + weights[1] * b.z + weights[2] * c.z;
@@ -80,18 +77,10 @@ impl Triangle {
 
 /// Twice the signed area of the triangle (0, 0), `p`, `q`.
 ///
-/// Rounding keeps order: the sign is never wrong, but the result may be rounded to zero.
+/// Rounding keeps order, so the sign is never wrong; the result may be rounded to zero, which counts as inside.
 #[inline]
 fn area(p: Vec3, q: Vec3) -> f32 {
     p.x * q.y - p.y * q.x
-}
-
-/// The same with 53 binary digits, enough for a product of two f32 to be exact.
-#[cold]
-#[expect(clippy::cast_possible_truncation, reason = "only sign and size matter from here on")]
-fn exact_area(p: Vec3, q: Vec3) -> f32 {
-    let [px, py, qx, qy] = [p.x, p.y, q.x, q.y].map(f64::from);
-    (px * qy - py * qx) as f32
 }
 // ANCHOR_END: barycentric
 

@@ -1,6 +1,7 @@
 //! Finds the workspace and its exercises.
 
 use std::{
+    collections::BTreeSet,
     env, fs,
     path::{Path, PathBuf},
 };
@@ -24,7 +25,10 @@ pub(crate) fn all(root: &Path) -> Result<Vec<Exercise>, Failure> {
     for chapter in names_in(&root.join("chapters")) {
         let Some((number, package)) = numbered(&chapter) else { continue };
         let folder = Path::new("chapters").join(&chapter);
-        for file in names_in(&root.join(&folder).join("exercises")) {
+        // A stub may be missing: it can be made of the solution.
+        let places = ["exercises", "solutions"].map(|place| root.join(&folder).join(place));
+        let files: BTreeSet<_> = places.iter().flat_map(|place| names_in(place)).collect();
+        for file in files {
             let Some((number_in_chapter, slug)) = file.strip_suffix(".rs").and_then(numbered) else { continue };
             let mut exercise = Exercise {
                 chapter: number,
@@ -34,7 +38,8 @@ pub(crate) fn all(root: &Path) -> Result<Vec<Exercise>, Failure> {
                 package: package.into(),
                 title: String::new(),
             };
-            exercise.title = title(&read(root, &exercise.stub())?).unwrap_or(slug).into();
+            let text = read(root, &exercise.stub()).or_else(|_| read(root, &exercise.solution()))?;
+            exercise.title = title(&text).unwrap_or(slug).into();
             exercises.push(exercise);
         }
     }
@@ -95,12 +100,14 @@ pub(crate) mod tests {
             ("chapters/01-toy/exercises/3-notes.txt", ""),
             ("chapters/01-toy/exercises/mine.rs", ""),
             ("chapters/02-box/exercises/1-lid.rs", "//! # Exercise 2.1: a lid\n"),
+            ("chapters/02-box/solutions/1-lid.rs", "//! # Exercise 2.1: a solution\n"),
+            ("chapters/02-box/solutions/2-latch.rs", "//! # Exercise 2.2: a latch\n"),
             ("chapters/03-none/src/lib.rs", ""),
             ("chapters/README.md", ""),
         ]);
         let exercises = all(folder.path()).unwrap();
         let names: Vec<_> = exercises.iter().map(Exercise::name).collect();
-        assert_eq!(names, ["1.2 a cube", "1.10 ball", "2.1 a lid"]);
+        assert_eq!(names, ["1.2 a cube", "1.10 ball", "2.1 a lid", "2.2 a latch"]);
         let cube = &exercises[0];
         assert_eq!(cube.example(), "toy-2-cube");
         assert_eq!(cube.solution(), Path::new("chapters/01-toy/solutions/2-cube.rs"));

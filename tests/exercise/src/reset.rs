@@ -19,25 +19,38 @@ pub(crate) fn run(root: &Path, exercise: &Exercise) -> Result<String, Failure> {
     let kept = reset(root, exercise)?;
     Progress::default().save(root, exercise)?;
     Ok(match kept {
-        None => format!("{} is as it was delivered.", stub.display()),
-        Some(kept) => {
+        Reset::Untouched => format!("{} is as it was delivered.", stub.display()),
+        Reset::Made => format!("{} was missing, and is there again.", stub.display()),
+        Reset::Kept(kept) => {
             format!("Exercise {id} starts again: {}\nWhat you wrote is kept in {}", stub.display(), kept.display())
         }
     })
 }
 
-/// Put the stub back. The file in which the student's version is kept, relative to the root; `None` if nothing was changed.
-fn reset(root: &Path, exercise: &Exercise) -> Result<Option<PathBuf>, Failure> {
+/// What became of the student's version.
+#[derive(Debug, PartialEq, Eq)]
+enum Reset {
+    /// There was none: the stub is as it was delivered.
+    Untouched,
+    /// There was no file.
+    Made,
+    /// It is kept in this file, relative to the root.
+    Kept(PathBuf),
+}
+
+/// Put the stub back.
+fn reset(root: &Path, exercise: &Exercise) -> Result<Reset, Failure> {
     let solution = exercise.solution();
     let delivered = stub_of(&read(root, &solution)?)
         .map_err(|what| Failure::system(format!("{} is damaged: {what}", solution.display())))?;
     let stub = exercise.stub();
-    // Whatever bytes there are, also if they are no text.
-    let written = fs::read(root.join(&stub)).map_err(|e| failed("read", &stub, &e))?;
-    if written == delivered.as_bytes() {
-        return Ok(None);
-    }
-    let kept = keep(root, exercise, &written)?;
+    // Whatever bytes there are, also if they are no text. There may be no file at all.
+    let kept = match fs::read(root.join(&stub)) {
+        Ok(written) if written == delivered.as_bytes() => return Ok(Reset::Untouched),
+        Ok(written) => Reset::Kept(keep(root, exercise, &written)?),
+        Err(e) if e.kind() == io::ErrorKind::NotFound => Reset::Made,
+        Err(e) => return Err(failed("read", &stub, &e)),
+    };
     // Write beside the place and rename, so that there is always one whole file.
     let neighbour = root.join(&stub).with_extension("rs.part");
     fs::write(&neighbour, delivered).and_then(|()| fs::rename(&neighbour, root.join(&stub))).map_err(|e| {
@@ -45,7 +58,7 @@ fn reset(root: &Path, exercise: &Exercise) -> Result<Option<PathBuf>, Failure> {
         let _ = fs::remove_file(&neighbour);
         failed("write", &stub, &e)
     })?;
-    Ok(Some(kept))
+    Ok(kept)
 }
 
 /// Store the student's version under a name that is not taken.
@@ -94,11 +107,11 @@ mod tests {
     fn every_version_is_kept() {
         let (folder, cube) = toy();
         let root = folder.path();
-        assert_eq!(reset(root, &cube).unwrap(), None);
+        assert_eq!(reset(root, &cube).unwrap(), Reset::Untouched);
         for (number, text) in [(1, "first"), (2, "second")] {
             fs::write(root.join(cube.stub()), text).unwrap();
-            let kept = reset(root, &cube).unwrap().unwrap();
-            assert_eq!(kept, Path::new(&format!("chapters/01-toy/exercises/kept/2-cube.{number}.rs")));
+            let kept = PathBuf::from(format!("chapters/01-toy/exercises/kept/2-cube.{number}.rs"));
+            assert_eq!(reset(root, &cube).unwrap(), Reset::Kept(kept.clone()));
             assert_eq!(fs::read_to_string(root.join(kept)).unwrap(), text);
             assert_eq!(fs::read_to_string(root.join(cube.stub())).unwrap(), STUB);
         }
@@ -111,8 +124,17 @@ mod tests {
     fn bytes_that_are_no_text_are_kept_too() {
         let (folder, cube) = toy();
         fs::write(folder.path().join(cube.stub()), [0xff, 0xfe]).unwrap();
-        let kept = reset(folder.path(), &cube).unwrap().unwrap();
+        let Reset::Kept(kept) = reset(folder.path(), &cube).unwrap() else { panic!("nothing is kept") };
         assert_eq!(fs::read(folder.path().join(kept)).unwrap(), [0xff, 0xfe]);
+    }
+
+    #[test]
+    fn a_missing_stub_is_made() {
+        let (folder, cube) = toy();
+        fs::remove_file(folder.path().join(cube.stub())).unwrap();
+        assert_eq!(all(folder.path()).unwrap().first(), Some(&cube));
+        assert_eq!(reset(folder.path(), &cube).unwrap(), Reset::Made);
+        assert_eq!(fs::read_to_string(folder.path().join(cube.stub())).unwrap(), STUB);
     }
 
     #[test]

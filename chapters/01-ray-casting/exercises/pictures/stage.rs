@@ -39,7 +39,7 @@ pub(super) fn lit() -> Scene<Phong> {
 }
 
 fn sun() -> DirectionalLight {
-    DirectionalLight::new(Vec3::new(-0.9, 0.3, -0.35), Rgb::new(1.73, 2.14, 3.14))
+    DirectionalLight::new(Vec3::new(-0.9, 0.3, -0.35), Rgb::new(1.73, 2.14, 3.1))
 }
 
 /// The same with a floor that fades into the background.

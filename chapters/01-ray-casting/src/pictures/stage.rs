@@ -17,7 +17,7 @@ use crate::{
 
 /// The sun of the stage: low, from the left and behind, a little cool.
 pub(super) fn sun() -> DirectionalLight {
-    DirectionalLight::new(Vec3::new(-0.9, 0.3, -0.35), Rgb::new(1.73, 2.14, 3.14))
+    DirectionalLight::new(Vec3::new(-0.9, 0.3, -0.35), Rgb::new(1.7, 2.1, 3.1))
 }
 
 /// The lamp of the stage: near, warm, from the right and in front.

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::graph::Graph;
 
-/// Space between neighbours of a layer.
+/// Space between neighbors of a layer.
 const GAP: f64 = 16.0;
 /// Width of an arrow that passes through a layer.
 const PASS: f64 = 2.0;
@@ -70,7 +70,7 @@ impl Layout {
         layout
     }
 
-    /// Order each layer by the middle of its neighbours, from above and from below in turn; keep the best.
+    /// Order each layer by the middle of its neighbors, from above and from below in turn; keep the best.
     fn order(&mut self) {
         let mut best = (self.crossings(), self.rows.clone());
         for round in 0..ROUNDS {
@@ -100,7 +100,7 @@ impl Layout {
         self.rows.iter().flat_map(|row| (0..row.len()).map(move |spot| rank((row, spot)))).collect()
     }
 
-    /// How many pairs of arrows cross between neighbouring layers.
+    /// How many pairs of arrows cross between neighboring layers.
     fn crossings(&self) -> usize {
         let ranks = self.ranks();
         let between = |row: &Vec<usize>| {
@@ -115,7 +115,7 @@ impl Layout {
         self.rows.iter().map(between).sum()
     }
 
-    /// Move each spot towards the middle of its neighbours, as far as its row allows.
+    /// Move each spot towards the middle of its neighbors, as far as its row allows.
     fn place(&mut self) {
         for row in self.rows.clone() {
             self.settle(&row, &vec![0.0; row.len()]);

@@ -13,7 +13,12 @@ use std::{
 
 use common::picture::{Chapter, Picture};
 
-use crate::{error::BookError, expand::Page, house::House, output::escape};
+use crate::{
+    error::BookError,
+    expand::Page,
+    house::{House, name_of},
+    output::escape,
+};
 
 /// Where `tests/wasm.sh` puts the module, relative to the root.
 pub(crate) const MODULE: &str = "target/wasm/wasm32-unknown-unknown/wasm/course.wasm";
@@ -68,6 +73,7 @@ pub(crate) fn note(house: &House) -> Option<String> {
         return Some(format!("no live pictures: {MODULE} is no WebAssembly module: run tests/wasm.sh again"));
     }
     let newer = newer_source(&path)?;
+    let newer = name_of(Path::new(&newer), &house.path(""));
     Some(format!("the live pictures are older than {newer}: run tests/wasm.sh again"))
 }
 
@@ -179,8 +185,8 @@ mod tests {
             let made = fs::metadata(fixture.root().join(MODULE)).unwrap().modified().unwrap();
             let time = made + std::time::Duration::from_secs(seconds);
             fs::File::options().append(true).open(&source).unwrap().set_modified(time).unwrap();
-            let expected = format!("the live pictures are older than {}: run tests/wasm.sh again", source.display());
-            assert_eq!(note(&fixture.house()), is_newer.then_some(expected));
+            let expected = "the live pictures are older than chapters/01-toy/src/a ball.rs: run tests/wasm.sh again";
+            assert_eq!(note(&fixture.house()), is_newer.then_some(expected.into()));
         }
     }
 }

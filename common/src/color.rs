@@ -1,4 +1,4 @@
-//! Colours: linear RGB inside, sRGB only on the way out.
+//! Colors: linear RGB inside, sRGB only on the way out.
 
 use glam::Vec3;
 
@@ -31,7 +31,7 @@ pub fn srgb_decode(encoded: f32) -> f32 {
     if encoded <= 0.040_45 { encoded / 12.92 } else { float::pow((encoded + 0.055) / 1.055, 2.4) }
 }
 
-/// A linear colour from the sRGB numbers 0 to 255 of a colour picker.
+/// A linear color from the sRGB numbers 0 to 255 of a color picker.
 #[must_use]
 pub fn srgb(red: u8, green: u8, blue: u8) -> Rgb {
     Rgb::from_array([red, green, blue].map(|c| srgb_decode(f32::from(c) / 255.0)))
@@ -50,7 +50,7 @@ mod tests {
 
     #[test]
     fn srgb_fixed_points_and_round_trip() {
-        // Values from the sRGB standard's own formula: 50 % grey on screen is 21.4 % of the light.
+        // Values from the sRGB standard's own formula: 50 % gray on screen is 21.4 % of the light.
         assert!((srgb_decode(0.5) - 0.214_041).abs() < 1e-6);
         assert!((srgb_encode(0.214_041) - 0.5).abs() < 1e-6);
         for byte in 0..=255_u8 {

@@ -59,7 +59,7 @@ pub fn read(path: &Path) -> Result<ObjMesh, Error> {
 /// Read the mesh in the bytes of an OBJ file.
 ///
 /// Understood are positions, normals and faces of any number of corners, with positive or negative indices. All other
-/// records (texture coordinates, groups, materials, lines, curves, colours of vertices) are left out. Files from
+/// records (texture coordinates, groups, materials, lines, curves, colors of vertices) are left out. Files from
 /// Windows, comments and lines continued by `\` are fine.
 ///
 /// # Errors

@@ -70,30 +70,30 @@ pub fn check_writable(path: &Path) -> Result<Format, Error> {
     if path.is_dir() {
         return Err(failed(path, "it is a folder"));
     }
-    // Create the neighbour that the picture will be written to, and take it away again.
-    let neighbour = neighbour(path)?;
-    File::create(&neighbour).and_then(|_| fs::remove_file(&neighbour)).map_err(|e| failed(path, reason(&e)))?;
+    // Create the neighbor that the picture will be written to, and take it away again.
+    let neighbor = neighbor(path)?;
+    File::create(&neighbor).and_then(|_| fs::remove_file(&neighbor)).map_err(|e| failed(path, reason(&e)))?;
     Ok(format)
 }
 
 /// Write a file in one step: all of `bytes`, or, if anything goes wrong, the file as it was before.
 ///
-/// The bytes go to a neighbour first, which then takes the file's name.
+/// The bytes go to a neighbor first, which then takes the file's name.
 ///
 /// # Errors
 /// [`Error::Write`] with the reason that the system gives.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let neighbour = neighbour(path)?;
+    let neighbor = neighbor(path)?;
     let written = (|| {
-        let mut file = BufWriter::new(File::create(&neighbour)?);
+        let mut file = BufWriter::new(File::create(&neighbor)?);
         file.write_all(bytes)?;
         file.flush()?;
         drop(file);
-        fs::rename(&neighbour, path)
+        fs::rename(&neighbor, path)
     })();
     written.map_err(|e: io::Error| {
         // Nothing more can be done if this fails too; the first error is the one to report.
-        let _ = fs::remove_file(&neighbour);
+        let _ = fs::remove_file(&neighbor);
         failed(path, reason(&e))
     })
 }
@@ -111,7 +111,7 @@ pub fn write_to_stdout(bytes: &[u8]) -> Result<(), Error> {
 }
 
 /// The file beside `path` that is written first, in a folder that is made if need be.
-fn neighbour(path: &Path) -> Result<PathBuf, Error> {
+fn neighbor(path: &Path) -> Result<PathBuf, Error> {
     if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()) {
         fs::create_dir_all(folder).map_err(|e| failed(path, reason(&e)))?;
     }

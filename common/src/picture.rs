@@ -77,7 +77,7 @@ pub const ORBIT: [Knob; 3] = [YAW, PITCH, ZOOM];
 /// A point of the film, in pixels: `x` to the right from the left edge, `y` down from the top edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FilmPoint {
-    /// Position in pixels; the centre of the first pixel is (½, ½).
+    /// Position in pixels; the center of the first pixel is (½, ½).
     pub position: Vec2,
     /// Width and height of the film in pixels.
     pub size: Vec2,

@@ -12,7 +12,7 @@ pub struct Stream(Pcg32);
 impl Stream {
     /// The stream of one sample of one pixel.
     ///
-    /// The three numbers are hashed, because streams of neighbouring generator states look alike: they draw
+    /// The three numbers are hashed, because streams of neighboring generator states look alike: they draw
     /// visible streaks over a picture.
     #[must_use]
     pub fn new(seed: u64, pixel: u64, sample: u64) -> Self {
@@ -53,9 +53,9 @@ mod tests {
         // Pinned: another generator or hash would change every picture that uses chance.
         assert_eq!(draw(1, 2, 3), 0x3f52_ec0d, "{:#x}", draw(1, 2, 3));
     }
-    /// χ² of 256 bins over first numbers of neighbouring pixels: 255 ± 22.6 expected, five sigma allowed.
+    /// χ² of 256 bins over first numbers of neighboring pixels: 255 ± 22.6 expected, five sigma allowed.
     #[test]
-    fn first_numbers_of_neighbours_are_uniform_and_uncorrelated() {
+    fn first_numbers_of_neighbors_are_uniform_and_uncorrelated() {
         const COUNT: u64 = 256 * 1000;
         let mut bins = [0_u32; 256];
         let (mut previous, mut product) = (0.0, 0.0);

@@ -103,7 +103,7 @@ pub fn fill_tile(picture: &dyn Render, tile: &mut Tile, size: Size, plan: &Plan,
 // ANCHOR: film_point
 /// Where on the film a sample lies, and the stream of its further random numbers.
 ///
-/// A lone sample lies in the pixel's centre. Several lie anywhere in the pixel with equal probability, so that their
+/// A lone sample lies in the pixel's center. Several lie anywhere in the pixel with equal probability, so that their
 /// mean is the mean over the pixel's area: a box filter.
 fn film_point((x, y): (u32, u32), size: Size, plan: &Plan, sample: u32) -> (FilmPoint, Stream) {
     let pixel = u64::from(y) * u64::from(size.width()) + u64::from(x);
@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn one_sample_is_in_the_centre_and_many_average_to_it() {
+    fn one_sample_is_in_the_center_and_many_average_to_it() {
         let one = rendered(&Plan { samples: 1, ..PLAN });
         assert_eq!(one[0].truncate(), Vec2::new(1.0 / 50.0 - 1.0, 1.0 - 1.0 / 37.0));
         let many = rendered(&Plan { samples: 400, ..PLAN });
@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn the_story_ends_in_the_colour_of_the_picture() {
+    fn the_story_ends_in_the_color_of_the_picture() {
         let plan = Plan { samples: 1, ..PLAN };
         let (color, story) = explain(&Noise, (5, 9), SIZE, &plan, 0);
         assert_eq!(color, rendered(&plan)[9 * 50 + 5]);

@@ -1,6 +1,6 @@
-//! The story of one pixel: what happened on the way to its colour.
+//! The story of one pixel: what happened on the way to its color.
 //!
-//! The code that computes a colour also tells how. It tells it to a [`Story`]: to [`Untold`], which compiles to
+//! The code that computes a color also tells how. It tells it to a [`Story`]: to [`Untold`], which compiles to
 //! nothing, when a picture is rendered, and to [`Told`], which writes it down, for `--pixel X,Y`. Because both are the
 //! same code, the story cannot disagree with the picture.
 
@@ -65,7 +65,7 @@ impl fmt::Display for Told {
     }
 }
 
-/// A vector or colour as a story prints it: three numbers with four significant digits.
+/// A vector or color as a story prints it: three numbers with four significant digits.
 #[must_use]
 pub fn triple(v: glam::Vec3) -> String {
     format!("({}, {}, {})", number(v.x), number(v.y), number(v.z))

@@ -27,7 +27,7 @@ fn film_point(x: f32, y: f32, (width, height): (f32, f32)) -> FilmPoint {
     FilmPoint { position: Vec2::new(x, y), size: Vec2::new(width, height) }
 }
 
-/// The direction through the centre of pixel (X, Y) of XM × YM, by p = lookat + α·right + β·up.
+/// The direction through the center of pixel (X, Y) of XM × YM, by p = lookat + α·right + β·up.
 fn formula([eye, lookat, up]: [V; 3], degrees: f64, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> V {
     let alpha = 2.0 * (x + 0.5) / width - 1.0;
     // Rows run down, β runs up.

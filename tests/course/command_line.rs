@@ -153,7 +153,7 @@ fn wrong_words_are_explained_in_one_line() {
     for (arguments, parts) in [
         (vec!["stil-life"], vec!["no picture is called 'stil-life'", "did you mean 'still-life'?"]),
         (vec!["zzz"], vec!["there are: still-life, "]),
-        (vec!["--set", "colour=3"], vec!["has no knob 'colour'", "there are: yaw, pitch, zoom"]),
+        (vec!["--set", "color=3"], vec!["has no knob 'color'", "there are: yaw, pitch, zoom"]),
         (vec!["--set", "yaw=200"], vec!["knob 'yaw' cannot be '200'", "from -180 to 180"]),
         (vec!["--set", "yaw=NaN"], vec!["from -180 to 180"]),
         (vec!["--set", "yaw"], vec!["--set takes knob=value"]),

@@ -69,7 +69,7 @@ pub(crate) fn error_of_sphere_normals() -> f64 {
 }
 
 #[test]
-fn the_normal_of_a_sphere_points_away_from_its_centre() {
+fn the_normal_of_a_sphere_points_away_from_its_center() {
     // One rounding of the position and one of the direction, in units in the last place.
     let error = error_of_sphere_normals();
     assert!(error < (2.0 * EPSILON).to_degrees(), "{error}°");

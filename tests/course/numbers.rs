@@ -65,7 +65,7 @@ fn misjudged(distance: f32, roots: fn(&Sphere, &Ray) -> Roots) -> u32 {
             }
         };
         let ray = aimed(eye, aim);
-        // In f64: does the ray pass the centre at less than the radius?
+        // In f64: does the ray pass the center at less than the radius?
         let line = Line::of(&ray);
         let hits = line.at(-line.origin.dot(line.direction)).length() < 1.0;
         roots(&sphere, &ray).first_in(Interval::POSITIVE).is_some() != hits

@@ -81,7 +81,7 @@ impl Surface {
 
 impl Reference for Surface {
     fn crossings(&self, line: &Line) -> Vec<Crossing> {
-        // Count the distance u from where the line passes the centre, for f64 has roundings too.
+        // Count the distance u from where the line passes the center, for f64 has roundings too.
         let shift = (self.center - line.origin).dot(line.direction);
         let (start, way) = (self.to_local(line.at(shift) - self.center), self.to_local(line.direction));
         let at = |u: f64| start + way * u;

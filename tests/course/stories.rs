@@ -1,4 +1,4 @@
-//! What is true of every picture of every chapter: its story ends in its colour, and no knob breaks it.
+//! What is true of every picture of every chapter: its story ends in its color, and no knob breaks it.
 
 use common::{
     Rgb,
@@ -27,11 +27,11 @@ fn assert_sound(film: &Film, what: &str) {
 }
 
 #[test]
-fn every_story_ends_in_the_colour_of_its_pixel() {
+fn every_story_ends_in_the_color_of_its_pixel() {
     for picture in pictures() {
         let render = (picture.make)(&Settings::default()).unwrap();
         let size = picture.size.scaled_to(48);
-        // One sample lies in the pixel's centre, several anywhere.
+        // One sample lies in the pixel's center, several anywhere.
         for samples in [1, 3] {
             let film = self::render(picture, &Settings::default(), size, samples);
             let plan = Plan { samples, seed: 0, threads: 1 };

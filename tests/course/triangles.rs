@@ -265,7 +265,7 @@ fn triangles_without_area_are_no_surface() {
         let ray = aimed(aim + in_cube(&mut random) * size, aim);
         assert_eq!(triangle.hit_by_edges(&ray, Interval::POSITIVE), None, "{triangle:?} {ray:?}");
         // Seen along a ray, three corners on a line may be rounded to a triangle one rounding thin. It fills the crack
-        // between its neighbours, and it may be hit; but only where the ray meets that line, and facing the ray.
+        // between its neighbors, and it may be hit; but only where the ray meets that line, and facing the ray.
         let Some(hit) = triangle.intersect(&ray, Interval::POSITIVE) else { continue };
         let across = V::from(d).cross(V::from(ray.direction));
         let aside = (V::from(ray.origin) - V::from(c)).dot(across.unit()).abs();

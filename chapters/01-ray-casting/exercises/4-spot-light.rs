@@ -29,7 +29,7 @@
 //!
 //! ## When you are done
 //!
-//! `cargo exercise 1.4` checks your light and renders a stage under three coloured lamps.
+//! `cargo exercise 1.4` checks your light and renders a stage under three colored lamps.
 
 use std::process::ExitCode;
 

@@ -4,14 +4,14 @@
 //! the roots of such an equation, but in floating point it fails often and without notice. This exercise finds them another
 //! way, one that works for polynomials of any degree.
 //!
-//! A torus lies flat around its centre, with y as its axis: a tube of radius r (minor) around a circle of radius R (major).
-//! Seen from the centre, its points are
+//! A torus lies flat around its center, with y as its axis: a tube of radius r (minor) around a circle of radius R (major).
+//! Seen from the center, its points are
 //!
 //! ```text
 //! (x² + y² + z² + R² − r²)² = 4R²·(x² + z²)
 //! ```
 //!
-//! Now move the ray's origin along the ray to the point s that is nearest to the centre, so that s·d = 0, and let d have unit
+//! Now move the ray's origin along the ray to the point s that is nearest to the center, so that s·d = 0, and let d have unit
 //! length. With u for the ray parameter from there, the equation is
 //!
 //! ```text
@@ -20,7 +20,7 @@
 //! b = 2k − 4R²·(dx² + dz²)     c = −8R²·(sx·dx + sz·dz)     e = k² − 4R²·(sx² + sz²)
 //! ```
 //!
-//! Between two neighbouring extrema a function only rises or only falls, so it has one root there if its ends differ in sign,
+//! Between two neighboring extrema a function only rises or only falls, so it has one root there if its ends differ in sign,
 //! and none if they do not. The extrema are the roots of the derivative, 4u³ + 2b·u + c. And the extrema of the derivative are
 //! the roots of 12u² + 2b, which is easy. So go up the stairs: from those to the roots of the cubic, and from these to the
 //! roots of the quartic.

@@ -31,7 +31,7 @@
 //! - Where the determinant is exactly 0, because the ray runs along the triangle or the triangle has no area, nothing is
 //!   hit. A small determinant may belong to a small triangle, so no other number will do as a limit.
 //!
-//! One thing this way cannot do: two neighbours round their common edge differently, so a ray may slip through between
+//! One thing this way cannot do: two neighbors round their common edge differently, so a ray may slip through between
 //! them. The chapter's own triangle is watertight.
 //!
 //! ## When you are done

@@ -4,14 +4,14 @@
 //! the roots of such an equation, but in floating point it fails often and without notice. This exercise finds them another
 //! way, one that works for polynomials of any degree.
 //!
-//! A torus lies flat around its centre, with y as its axis: a tube of radius r (minor) around a circle of radius R (major).
-//! Seen from the centre, its points are
+//! A torus lies flat around its center, with y as its axis: a tube of radius r (minor) around a circle of radius R (major).
+//! Seen from the center, its points are
 //!
 //! ```text
 //! (x² + y² + z² + R² − r²)² = 4R²·(x² + z²)
 //! ```
 //!
-//! Now move the ray's origin along the ray to the point s that is nearest to the centre, so that s·d = 0, and let d have unit
+//! Now move the ray's origin along the ray to the point s that is nearest to the center, so that s·d = 0, and let d have unit
 //! length. With u for the ray parameter from there, the equation is
 //!
 //! ```text
@@ -20,7 +20,7 @@
 //! b = 2k − 4R²·(dx² + dz²)     c = −8R²·(sx·dx + sz·dz)     e = k² − 4R²·(sx² + sz²)
 //! ```
 //!
-//! Between two neighbouring extrema a function only rises or only falls, so it has one root there if its ends differ in sign,
+//! Between two neighboring extrema a function only rises or only falls, so it has one root there if its ends differ in sign,
 //! and none if they do not. The extrema are the roots of the derivative, 4u³ + 2b·u + c. And the extrema of the derivative are
 //! the roots of 12u² + 2b, which is easy. So go up the stairs: from those to the roots of the cubic, and from these to the
 //! roots of the quartic.
@@ -67,7 +67,7 @@ impl Torus {
     }
     // STUB:
 
-    /// The quartic `u⁴ + b·u² + c·u + e` of a ray that starts in `s`, the point nearest to the centre, seen from there, and
+    /// The quartic `u⁴ + b·u² + c·u + e` of a ray that starts in `s`, the point nearest to the center, seen from there, and
     /// runs in the direction of the unit vector `d`.
     fn quartic(&self, s: Vec3, d: Vec3) -> Quartic {
         let (major2, minor2) = (self.major * self.major, self.minor * self.minor);
@@ -87,7 +87,7 @@ impl Shape for Torus {
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
         // STUB: let _ = (self.center, self.major, self.minor, ray, range); // take this line away when you start
         // STUB: None
-        // Start in the point nearest to the centre: small numbers keep their digits.
+        // Start in the point nearest to the center: small numbers keep their digits.
         let length = ray.direction.length();
         let d = ray.direction / length;
         let from_center = ray.origin - self.center;
@@ -111,7 +111,7 @@ impl Shape for Torus {
 }
 // STUB:
 
-/// The polynomial `u⁴ + b·u² + c·u + e`. There is no cubic term, because the ray starts in the point nearest to the centre.
+/// The polynomial `u⁴ + b·u² + c·u + e`. There is no cubic term, because the ray starts in the point nearest to the center.
 struct Quartic {
     b: f32,
     c: f32,

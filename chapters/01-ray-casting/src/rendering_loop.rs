@@ -8,7 +8,7 @@ use common::{
 };
 
 // ANCHOR: render
-/// Render a picture, one ray through the centre of each pixel, row by row from the top.
+/// Render a picture, one ray through the center of each pixel, row by row from the top.
 ///
 /// The renderer of `common` does the same for many pixels at once, and several times for each.
 #[must_use]

@@ -9,10 +9,10 @@ use crate::{
     shape::Shape,
 };
 
-/// A sphere. Its outward normal points away from the centre.
+/// A sphere. Its outward normal points away from the center.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// Centre, in scene units.
+    /// Center, in scene units.
     pub center: Vec3,
     /// Radius, in scene units; not negative.
     pub radius: f32,
@@ -47,7 +47,7 @@ impl Sphere {
         let from_center = ray.origin - self.center;
         let a = ray.direction.dot(ray.direction);
         let h = from_center.dot(ray.direction);
-        // Where the ray comes nearest to the centre, seen from the centre.
+        // Where the ray comes nearest to the center, seen from the center.
         let nearest = from_center - ray.direction * (h / a);
         // R² − |nearest|² says how deep the ray dives, without h² − a·c, where two huge numbers would cancel.
         let depth = self.radius * self.radius - nearest.dot(nearest);

@@ -179,7 +179,7 @@ fn command(chapter: &Chapter) -> Command {
              {name} --list                              all pictures and their knobs\n  \
              {name} {first} --size 1920x1080 --samples 64 --output poster.png\n  \
              {name} {first} --set yaw=40 --set pitch=10\n  \
-             {name} {first} --pixel 300,200 --samples 1    why this pixel has its colour\n  \
+             {name} {first} --pixel 300,200 --samples 1    why this pixel has its color\n  \
              {name} {first} --output - --no-window | other-program"
         ))
         .arg(Arg::new("picture").value_name("PICTURE").help("Which picture; the chapter's cover if none is named"))
@@ -196,12 +196,7 @@ fn command(chapter: &Chapter) -> Command {
         .arg(option("exposure", "STOPS", ValueParser::new(exposure), "Brighten by a factor of 2^STOPS, -20 to 20"))
         .arg(option("output", "FILE", value_parser!(PathBuf), "File to write, .png or .exr; - for standard output"))
         .arg(flag("no-window", "Do not open a window"))
-        .arg(option(
-            "pixel",
-            "X,Y",
-            ValueParser::new(pixel),
-            "Tell how this pixel got its colour, instead of rendering",
-        ))
+        .arg(option("pixel", "X,Y", ValueParser::new(pixel), "Tell how this pixel got its color, instead of rendering"))
         .arg(flag("quiet", "Tell nothing but errors"))
 }
 

@@ -124,7 +124,7 @@ fn story(picture: &dyn Render, request: &Request, (x, y): (u32, u32)) -> String 
     }
     if plan.samples > TOLD {
         text +=
-            &format!("\n… and {} more samples (--samples 1 tells of the pixel's centre alone)\n", plan.samples - TOLD);
+            &format!("\n… and {} more samples (--samples 1 tells of the pixel's center alone)\n", plan.samples - TOLD);
     }
     let mean = pixel.mean();
     let [r, g, b] = (mean * crate::float::exp2(request.exposure)).to_array().map(crate::color::to_byte);

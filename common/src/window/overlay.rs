@@ -9,7 +9,7 @@ use super::raster::Raster;
 pub(crate) struct Line {
     /// What it says.
     pub(crate) text: String,
-    /// Colour as a screen pixel.
+    /// Color as a screen pixel.
     pub(crate) color: u32,
 }
 
@@ -32,7 +32,7 @@ const PITCH: usize = 10;
 const MARGIN: usize = 4;
 
 impl Line {
-    /// A line in some colour.
+    /// A line in some color.
     pub(crate) fn new(text: impl Into<String>, color: u32) -> Self {
         Self { text: text.into(), color }
     }

@@ -13,7 +13,7 @@ pub(crate) struct Raster {
     pixels: Vec<u32>,
 }
 
-/// A linear colour as a screen pixel.
+/// A linear color as a screen pixel.
 pub(crate) fn screen(color: Rgb) -> u32 {
     let [r, g, b] = color.to_array().map(to_byte);
     u32::from_be_bytes([0, r, g, b])

@@ -52,10 +52,10 @@ fn reset(root: &Path, exercise: &Exercise) -> Result<Reset, Failure> {
         Err(e) => return Err(failed("read", &stub, &e)),
     };
     // Write beside the place and rename, so that there is always one whole file.
-    let neighbour = root.join(&stub).with_extension("rs.part");
-    fs::write(&neighbour, delivered).and_then(|()| fs::rename(&neighbour, root.join(&stub))).map_err(|e| {
+    let neighbor = root.join(&stub).with_extension("rs.part");
+    fs::write(&neighbor, delivered).and_then(|()| fs::rename(&neighbor, root.join(&stub))).map_err(|e| {
         // The first error is the one to tell.
-        let _ = fs::remove_file(&neighbour);
+        let _ = fs::remove_file(&neighbor);
         failed("write", &stub, &e)
     })?;
     Ok(kept)

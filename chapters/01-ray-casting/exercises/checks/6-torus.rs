@@ -95,7 +95,7 @@ fn bisect(value: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     low
 }
 
-/// Accept a torus, or name what is wrong with it. `make` takes the centre, the major and the minor radius.
+/// Accept a torus, or name what is wrong with it. `make` takes the center, the major and the minor radius.
 pub(crate) fn check<S: Shape>(make: impl Fn(Vec3, f32, f32) -> S) -> Verdict {
     let trial = |center, major, minor| Trial {
         shape: make(center, major, minor),
@@ -179,7 +179,7 @@ fn far<S: Shape>(ring: &Trial<S, Ideal>, dice: &mut Dice) -> Verdict {
         // What is wrong from nearby too has another reason.
         ring.ask(&from(5.0), Interval::POSITIVE)?;
         let advice = "From nearby such a ray finds its hit, from far away it does not: the quartic's numbers become so great \
-                      that they cancel. Move the ray's origin to the point nearest to the centre before you multiply anything, \
+                      that they cancel. Move the ray's origin to the point nearest to the center before you multiply anything, \
                       and add the way back to t.";
         ring.probe(&far, Interval::POSITIVE, "far-away", advice)?;
     }

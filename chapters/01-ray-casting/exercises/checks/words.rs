@@ -9,7 +9,7 @@ use ray_casting::{
 
 use super::crossing::Crossing;
 
-/// A point, a vector or a colour.
+/// A point, a vector or a color.
 pub(crate) fn triple(v: Vec3) -> String {
     // Adding zero turns −0 into 0.
     let [x, y, z] = (v + 0.0).to_array();

@@ -11,7 +11,7 @@ use super::stage::{self, Make, camera, lit, view};
 
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {
-    let alt = "The corner of a room made of three planes, the floor grey, the left wall blue, the right wall clay red. Balls \
+    let alt = "The corner of a room made of three planes, the floor gray, the left wall blue, the right wall clay red. Balls \
                lie about, and some are sunk into the planes, so that round outlines show where they pass through.";
     stage::picture("1.1-plane", alt, make)
 }

@@ -1,4 +1,4 @@
-//! Picture of exercise 1.4: a stage under three coloured lamps.
+//! Picture of exercise 1.4: a stage under three colored lamps.
 
 use common::{
     Error, Rgb, Vec3,
@@ -18,7 +18,7 @@ const OUTER: Knob =
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {
     let alt = "A dark stage under a red, a green and a blue spot light. Their round pools of light overlap: yellow, cyan and \
-               magenta where two meet, white in the middle. White balls and cones take the colour of the light they stand in.";
+               magenta where two meet, white in the middle. White balls and cones take the color of the light they stand in.";
     let knobs = &[INNER, OUTER, ORBIT[0], ORBIT[1], ORBIT[2]];
     Picture { knobs, ..stage::picture("1.4-spot-light", alt, make) }
 }
@@ -44,7 +44,7 @@ pub(crate) fn make<L: Light + 'static>(
     const BRIGHTNESS: f32 = 165.0;
     for (x, z, color) in [(-0.85, 0.5, Rgb::X), (0.85, 0.5, Rgb::Y), (0.0, -0.95, Rgb::Z)] {
         let (from, to) = (Vec3::new(2.6 * x, 5.2, 2.6 * z + 0.6), Vec3::new(x, 0.0, z));
-        // A little of the other colours, so that no lamp is pure.
+        // A little of the other colors, so that no lamp is pure.
         let color = BRIGHTNESS * color.lerp(Rgb::ONE, 0.04);
         scene.light(spot(from, to - from, color, inner.min(outer), outer));
     }

@@ -84,13 +84,13 @@ fn ball(halvings: u32) -> Vec<[Vec3; 3]> {
         .into_iter()
         .flat_map(|v| [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)].map(|(a, b)| mirrored(v, a, b)))
         .collect();
-    // Corners 2 apart are neighbours; three that are neighbours of each other are a face.
-    let are_neighbours = |a: Vec3, b: Vec3| (a.distance(b) - 2.0).abs() < 0.1;
+    // Corners 2 apart are neighbors; three that are neighbors of each other are a face.
+    let are_neighbors = |a: Vec3, b: Vec3| (a.distance(b) - 2.0).abs() < 0.1;
     let mut faces = Vec::new();
     for (i, &a) in corners.iter().enumerate() {
         for (j, &b) in corners.iter().enumerate().skip(i + 1) {
             for &c in corners.iter().skip(j + 1) {
-                if are_neighbours(a, b) && are_neighbours(b, c) && are_neighbours(c, a) {
+                if are_neighbors(a, b) && are_neighbors(b, c) && are_neighbors(c, a) {
                     // Counter-clockwise when seen from outside.
                     let is_outward = (b - a).cross(c - a).dot(a) > 0.0;
                     faces.push(if is_outward { [a, b, c] } else { [a, c, b] }.map(Vec3::normalize));

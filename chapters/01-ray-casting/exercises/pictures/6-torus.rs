@@ -11,12 +11,12 @@ use super::stage::{self, Make, Placed, camera, stage, view};
 
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {
-    let alt = "Rings on a dark stage: a chain of interlocked links of gold and teal across the middle, a thick plum-coloured ring \
+    let alt = "Rings on a dark stage: a chain of interlocked links of gold and teal across the middle, a thick plum-colored ring \
                with a thin one leaning on it, and a few small ones lying about.";
     stage::picture("1.6-torus", alt, make)
 }
 
-/// The rings, with tori that `torus` makes of centre, major and minor radius.
+/// The rings, with tori that `torus` makes of center, major and minor radius.
 pub(crate) fn make<S: Shape + 'static>(
     settings: &Settings,
     torus: impl Fn(Vec3, f32, f32) -> S,
@@ -28,7 +28,7 @@ pub(crate) fn make<S: Shape + 'static>(
     let cherry = Phong::of(srgb(190, 40, 48), 0.9, 160.0);
     let cream = Phong::of(srgb(226, 212, 184), 0.4, 40.0);
 
-    // A chain: every other link lies, the rest stand, and each passes through its neighbours.
+    // A chain: every other link lies, the rest stand, and each passes through its neighbors.
     for (i, x) in [-2.75, -1.85, -0.95, -0.05, 0.85].into_iter().enumerate() {
         let link = Frame::at(Vec3::new(x, 0.74, -0.2));
         let (tilt, color) = if i % 2 == 0 { (62.0, gold) } else { (-28.0, teal) };

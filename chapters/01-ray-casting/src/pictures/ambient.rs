@@ -32,9 +32,9 @@ const LIGHT: Knob = Knob::choice(
 
 pub(super) const PICTURE: Picture = Picture {
     name: "ambient",
-    alt: "A white ball, a red bowl and blue crystals on a pale floor under a grey sky, three times. Left, only light \
+    alt: "A white ball, a red bowl and blue crystals on a pale floor under a gray sky, three times. Left, only light \
           that comes straight from the sun: what faces away is black. Middle, with the ambient term: the black parts \
-          are lifted to one even grey. Right, with the light followed one step further: the ball glows reddish \
+          are lifted to one even gray. Right, with the light followed one step further: the ball glows reddish \
           beside the bowl, and corners and the floor under the ball are darker.",
     knobs: &[LIGHT, ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 340>(),

@@ -1,4 +1,4 @@
-//! Barycentric coordinates as colours.
+//! Barycentric coordinates as colors.
 
 use common::{
     Error, Interval, Rgb, Stream, Vec3,
@@ -12,8 +12,8 @@ use crate::{triangle::Triangle, triangle_barycentric::Shear};
 
 pub(super) const PICTURE: Picture = Picture {
     name: "barycentric",
-    alt: "A triangle whose corners are pure red, green and blue. Inside, the colours are mixed by the barycentric \
-          coordinates of each point, so that the middle is grey, with lines where a coordinate is a multiple of a tenth.",
+    alt: "A triangle whose corners are pure red, green and blue. Inside, the colors are mixed by the barycentric \
+          coordinates of each point, so that the middle is gray, with lines where a coordinate is a multiple of a tenth.",
     knobs: &[],
     size: Size::of::<960, 480>(),
     samples: 16,

@@ -15,7 +15,7 @@ use crate::{
     scene::Scene,
 };
 
-/// The still life, each point in a colour that follows from its hit alone; black where nothing is hit.
+/// The still life, each point in a color that follows from its hit alone; black where nothing is hit.
 pub(super) fn still_life_by(color: fn(&Hit) -> Rgb, settings: &Settings) -> Result<Box<dyn Render>, Error> {
     Ok(Box::new(ByHit { scene: still_life::scene()?, camera: still_life::view(settings)?, color }))
 }

@@ -1,4 +1,4 @@
-//! The plane of a triangle, coloured by what its edges say.
+//! The plane of a triangle, colored by what its edges say.
 
 use common::{
     Error, Rgb, Stream, Vec3,
@@ -13,7 +13,7 @@ use crate::{ray::Ray, triangle::Triangle};
 pub(super) const PICTURE: Picture = Picture {
     name: "edges",
     alt: "A plane cut by three straight lines, the edges of a triangle, into seven parts. Each line adds its own \
-          colour, red, green or blue, on its left side. Only in the triangle in the middle do all three meet, to \
+          color, red, green or blue, on its left side. Only in the triangle in the middle do all three meet, to \
           nearly white.",
     knobs: &[],
     size: Size::of::<960, 480>(),

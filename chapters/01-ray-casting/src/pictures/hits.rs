@@ -28,7 +28,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
 // ANCHOR: hits
 /// Blue outside, orange inside; the farther, the darker.
 fn side_and_distance(hit: &Hit) -> Rgb {
-    /// Distances at which the colour is full and at which it is gone, in scene units.
+    /// Distances at which the color is full and at which it is gone, in scene units.
     const FADE: [f32; 2] = [7.0, 12.0];
     let color = match hit.side {
         Side::Outside => srgb(120, 175, 235),

@@ -22,7 +22,7 @@ const HEIGHT: Knob =
 
 pub(super) const PICTURE: Picture = Picture {
     name: "lights",
-    alt: "Nine white balls on a grey floor, twice. Left, under a directional light: the floor is evenly bright and \
+    alt: "Nine white balls on a gray floor, twice. Left, under a directional light: the floor is evenly bright and \
           every ball is lit alike, from the upper left. Right, under a point light in the middle: a round pool of \
           light that fades outward, and each ball is bright on the side that faces the middle.",
     knobs: &[HEIGHT, ORBIT[0], ORBIT[1], ORBIT[2]],

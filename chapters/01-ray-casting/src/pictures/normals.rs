@@ -1,4 +1,4 @@
-//! Normals as colours.
+//! Normals as colors.
 
 use common::{
     Error, Rgb,
@@ -11,9 +11,9 @@ use crate::hit::Hit;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "normals",
-    alt: "The still life with each point coloured by the direction of its normal: red grows to the right, green \
-          upward, blue toward the viewer. The floor is one even green, round shapes blend through all colours, each \
-          facet of the crystals has one colour.",
+    alt: "The still life with each point colored by the direction of its normal: red grows to the right, green \
+          upward, blue toward the viewer. The floor is one even green, round shapes blend through all colors, each \
+          facet of the crystals has one color.",
     knobs: &ORBIT,
     size: Size::of::<960, 540>(),
     samples: 16,
@@ -26,7 +26,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
 }
 
 // ANCHOR: normals
-/// Coordinates run from −1 to 1, colours from 0 to 1. The square makes the steps look even on a screen.
+/// Coordinates run from −1 to 1, colors from 0 to 1. The square makes the steps look even on a screen.
 fn normal_as_color(hit: &Hit) -> Rgb {
     let color = (hit.shading_normal + 1.0) / 2.0;
     color * color

@@ -15,8 +15,8 @@ const COLUMNS: Knob = Knob::number("columns", "large pixels in a row", [2.0, 400
 
 pub(super) const PICTURE: Picture = Picture {
     name: "pixels",
-    alt: "The still life in 64 columns of large square pixels, each of one colour: the colour that the ray through the \
-          pixel's centre has found. Edges are staircases.",
+    alt: "The still life in 64 columns of large square pixels, each of one color: the color that the ray through the \
+          pixel's center has found. Edges are staircases.",
     knobs: &[COLUMNS, ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 540>(),
     samples: 1,
@@ -30,7 +30,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     Ok(Box::new(LargePixels { fine: LocalIllumination { scene, camera, terms: Terms::ALL }, columns }))
 }
 
-/// Another picture, looked at only in the centres of large pixels.
+/// Another picture, looked at only in the centers of large pixels.
 struct LargePixels {
     fine: LocalIllumination,
     columns: f32,
@@ -50,7 +50,7 @@ impl Render for LargePixels {
 
     fn explain(&self, point: FilmPoint, random: &mut Stream, story: &mut Told) -> Rgb {
         let center = self.center(point);
-        story.tell(|| format!("taken from the centre of its large pixel, {}", center.position));
+        story.tell(|| format!("taken from the center of its large pixel, {}", center.position));
         self.fine.explain(center, random, story)
     }
 }

@@ -43,7 +43,7 @@ pub(super) fn view(settings: &Settings) -> Result<Camera, Error> {
 }
 
 // ANCHOR: scene
-/// All shapes of the chapter, each of its own colour.
+/// All shapes of the chapter, each of its own color.
 pub fn scene() -> Result<Scene<Phong>, Error> {
     let clay = Phong::of(srgb(206, 108, 74), 0.25, 24.0);
     let teal = Phong::of(srgb(52, 140, 140), 0.6, 60.0);

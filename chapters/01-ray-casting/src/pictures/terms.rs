@@ -15,7 +15,7 @@ const TERM: Knob =
 
 pub(super) const PICTURE: Picture = Picture {
     name: "terms",
-    alt: "The still life four times. Upper left, ambient only: flat, dark silhouettes of each thing's colour. Upper \
+    alt: "The still life four times. Upper left, ambient only: flat, dark silhouettes of each thing's color. Upper \
           right, diffuse only: soft shading, no highlights. Lower left, specular only: nothing but highlights on \
           black. Lower right, the sum of the three.",
     knobs: &[TERM, ORBIT[0], ORBIT[1], ORBIT[2]],

@@ -140,6 +140,6 @@ fn equal_angles() {
 
 #[test]
 fn intensity_of_one_channel() {
-    let grey = |l: Illumination, _| Illumination { strength: Rgb::splat(l.strength.x), ..l };
-    assert_eq!(Recipe { change: grey, ..RIGHT }.diagnosis(), "wrong-strength");
+    let gray = |l: Illumination, _| Illumination { strength: Rgb::splat(l.strength.x), ..l };
+    assert_eq!(Recipe { change: gray, ..RIGHT }.diagnosis(), "wrong-strength");
 }

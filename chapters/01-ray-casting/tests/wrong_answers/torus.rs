@@ -10,7 +10,7 @@ use crate::{Answer, checks::torus::check, name};
 /// How a torus is met. The default is right.
 #[derive(Clone, Copy)]
 struct Recipe {
-    /// Whether the ray is moved by the centre.
+    /// Whether the ray is moved by the center.
     is_moved: bool,
     /// Whether t counts lengths of the direction, rather than scene units.
     is_scaled: bool,

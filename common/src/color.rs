@@ -44,9 +44,73 @@ pub fn to_byte(linear: f32) -> u8 {
     (srgb_encode(linear.clamp(0.0, 1.0)) * 255.0 + 0.5) as u8
 }
 
+/// [`to_byte`] for many channels at once: the same bytes, several times as fast.
+///
+/// The encoding grows with its argument, so each byte has a least linear value, and finding a byte among those takes no
+/// power.
+#[derive(Clone, Debug)]
+pub struct ByteTable {
+    /// For the bytes 1 to 255 the least linear value that is encoded so.
+    least: [f32; 255],
+}
+
+impl ByteTable {
+    /// The table, made by asking [`to_byte`].
+    #[must_use]
+    pub fn new() -> Self {
+        let mut least = [0.0; 255];
+        for (value, byte) in least.iter_mut().zip(1_u8..=255) {
+            // Floats from 0 to 1 are in the order of their bits: halve the interval of bits until it is empty.
+            let (mut below, mut at_least) = (0_f32.to_bits(), 1_f32.to_bits());
+            while below + 1 < at_least {
+                let middle = below.midpoint(at_least);
+                if to_byte(f32::from_bits(middle)) < byte {
+                    below = middle;
+                } else {
+                    at_least = middle;
+                }
+            }
+            *value = f32::from_bits(at_least);
+        }
+        Self { least }
+    }
+
+    /// The same as [`to_byte`].
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, reason = "at most 255 values")]
+    pub fn to_byte(&self, linear: f32) -> u8 {
+        self.least.partition_point(|&least| least <= linear) as u8
+    }
+}
+
+impl Default for ByteTable {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_table_gives_the_same_bytes() {
+        let table = ByteTable::new();
+        let mut random = crate::random::Stream::new(0, 0, 0);
+        for _ in 0..100_000 {
+            let linear = random.uniform() * 1.1 - 0.05;
+            assert_eq!(table.to_byte(linear), to_byte(linear), "{linear}");
+        }
+        // On both sides of every step.
+        for least in table.least {
+            for linear in [least.next_down(), least, least.next_up()] {
+                assert_eq!(table.to_byte(linear), to_byte(linear), "{linear}");
+            }
+        }
+        for linear in [0.0, -0.0, 1.0, f32::INFINITY, f32::NEG_INFINITY, f32::NAN] {
+            assert_eq!(table.to_byte(linear), to_byte(linear), "{linear}");
+        }
+    }
 
     #[test]
     fn srgb_fixed_points_and_round_trip() {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::{
-    color::{Rgb, luminance, to_byte},
+    color::{ByteTable, Rgb, luminance},
     error::Error,
 };
 
@@ -247,7 +247,8 @@ impl Film {
     #[must_use]
     pub fn develop(&self, exposure: f32) -> Vec<[u8; 3]> {
         let gain = crate::float::exp2(exposure);
-        let encode = |color: Rgb| (color * gain).to_array().map(to_byte);
+        let table = ByteTable::new();
+        let encode = |color: Rgb| (color * gain).to_array().map(|linear| table.to_byte(linear));
         let linear = self.linear();
         #[cfg(feature = "threads")]
         {

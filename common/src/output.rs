@@ -50,8 +50,12 @@ pub fn encode(film: &Film, format: Format, exposure: f32) -> Result<Vec<u8>, Err
     let (width, height) = (film.size().width(), film.size().height());
     let mut bytes = Cursor::new(Vec::new());
     match format {
-        Format::Png => PngEncoder::new_with_quality(&mut bytes, CompressionType::Fast, FilterType::Adaptive)
-            .write_image(film.develop(exposure).as_flattened(), width, height, ExtendedColorType::Rgb8),
+        Format::Png => PngEncoder::new_with_quality(&mut bytes, CompressionType::Fast, FilterType::Paeth).write_image(
+            film.develop(exposure).as_flattened(),
+            width,
+            height,
+            ExtendedColorType::Rgb8,
+        ),
         Format::Exr => {
             let floats: Vec<u8> = film.linear().iter().flat_map(|c| c.to_array()).flat_map(f32::to_ne_bytes).collect();
             OpenExrEncoder::new(&mut bytes).write_image(&floats, width, height, ExtendedColorType::Rgb32F)

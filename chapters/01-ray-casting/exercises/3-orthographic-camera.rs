@@ -11,9 +11,12 @@
 //! right   = (forward × up) / |forward × up|      film axes of unit length
 //! top     = right × forward
 //!
-//! origin    = eye + α·(width/2)·right + β·(height/2)·top      α, β from −1 to 1: `point.ndc()`
+//! origin    = eye + α·(width/2)·right + β·(height/2)·top
 //! direction = forward
 //! ```
+//!
+//! `point.ndc()` is a `Vec2`: its x is α and its y is β, both from −1 to 1. The width and the height of the film in scene
+//! units follow from `side`, see below, and from `point.aspect()`, which is width / height.
 //!
 //! ## Your task
 //!
@@ -25,7 +28,9 @@
 //!   has more pixels that way, so that pixels are square at any `point.aspect()`, upright or not.
 //! - Upward in the picture is `up`, as far as it can be: `up` may lean toward the view and may have any length.
 //! - A camera that looks along `up` works too. Which way is right does not matter then, but it must have a direction:
-//!   `try_normalize()` tells when a vector has none.
+//!   `forward.any_orthonormal_vector()` is a unit vector at right angles to `forward`.
+//! - Beware of rounding: looking along `up`, forward × up is often not zero but tiny, and its direction is then wrong.
+//!   `try_normalize()` does not notice that. Take a very short vector for zero.
 //!
 //! ## When you are done
 //!

@@ -11,9 +11,12 @@
 //! right   = (forward × up) / |forward × up|      film axes of unit length
 //! top     = right × forward
 //!
-//! origin    = eye + α·(width/2)·right + β·(height/2)·top      α, β from −1 to 1: `point.ndc()`
+//! origin    = eye + α·(width/2)·right + β·(height/2)·top
 //! direction = forward
 //! ```
+//!
+//! `point.ndc()` is a `Vec2`: its x is α and its y is β, both from −1 to 1. The width and the height of the film in scene
+//! units follow from `side`, see below, and from `point.aspect()`, which is width / height.
 //!
 //! ## Your task
 //!
@@ -25,7 +28,9 @@
 //!   has more pixels that way, so that pixels are square at any `point.aspect()`, upright or not.
 //! - Upward in the picture is `up`, as far as it can be: `up` may lean toward the view and may have any length.
 //! - A camera that looks along `up` works too. Which way is right does not matter then, but it must have a direction:
-//!   `try_normalize()` tells when a vector has none.
+//!   `forward.any_orthonormal_vector()` is a unit vector at right angles to `forward`.
+//! - Beware of rounding: looking along `up`, forward × up is often not zero but tiny, and its direction is then wrong.
+//!   `try_normalize()` does not notice that. Take a very short vector for zero.
 //!
 //! ## When you are done
 //!
@@ -64,8 +69,10 @@ impl OrthographicCamera {
         // STUB: let _ = (lookat, up, side); // take this line away when you start
         // STUB: Self { eye }
         let forward = (lookat - eye).normalize_or(-Vec3::Z);
-        // Along `up` there is no right: any direction across the view will do.
-        let right = forward.cross(up).try_normalize().unwrap_or_else(|| forward.any_orthonormal_vector());
+        let across = forward.cross(up.normalize_or_zero());
+        // Along `up` there is no right, only what rounding leaves of it: any direction across the view will do.
+        let is_along_up = across.length_squared() < 1e-6;
+        let right = if is_along_up { forward.any_orthonormal_vector() } else { across.normalize() };
         let half = side / 2.0;
         Self { eye, forward, right: right * half, up: right.cross(forward) * half }
         // END STUB

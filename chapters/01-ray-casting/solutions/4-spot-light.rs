@@ -20,10 +20,12 @@
 //! cosines once. The book's page *Lights* and `chapters/01-ray-casting/src/light.rs` show the point light.
 //!
 //! - `direction` is the unit vector from the point **toward** the light, `distance` the way there in scene units.
-//! - `strength` is intensity / distance² · share. Behind the lamp no light arrives.
+//!   Both must be right in the dark too, where `strength` is zero.
+//! - `strength` is intensity / distance² · share. The outer angle is at most 90°, so behind the lamp no light arrives.
 //! - The axis given to `new` may have any length but zero. Angles come in degrees, `common::float::cos` takes radians:
 //!   `angle.to_radians()`.
-//! - When both angles are the same the cone has a sharp edge, and nothing is a NaN.
+//! - When both angles are the same, the cone has a sharp edge: up to the angle and on the edge itself all the light
+//!   arrives, beyond it none. Nothing becomes a NaN, not even on the edge.
 //!
 //! Why `common::float::cos` and not `f32::cos`? The latter differs in its last bits from machine to machine.
 //!

@@ -4,7 +4,7 @@ use std::{path::Path, process::ExitCode};
 
 use crate::{
     Failure,
-    cargo::{self, Messages, State},
+    cargo::{self, Messages, Outcome, State},
     exercise::Exercise,
     progress::Progress,
     terminal,
@@ -12,7 +12,10 @@ use crate::{
 
 /// Check the answer to an exercise. Exit code 0 if it is right, otherwise 1.
 pub(crate) fn check(root: &Path, exercises: &[Exercise], exercise: &Exercise) -> Result<ExitCode, Failure> {
-    let state = cargo::check(root, exercise, &exercise.example(), Messages::Shown)?;
+    let Outcome { state, printed } = cargo::try_out(root, exercise, &exercise.example(), Messages::Shown)?;
+    if !printed.is_empty() {
+        terminal::say(&printed);
+    }
     if state != State::Done {
         terminal::say(&refusal(exercise, &state));
         return Ok(ExitCode::FAILURE);
@@ -32,7 +35,9 @@ fn render(root: &Path, exercise: &Exercise) -> Result<String, Failure> {
     Ok(if output.status.success() {
         format!("Its picture:  {}", file.display())
     } else {
-        format!("Its picture could not be made: {}", String::from_utf8_lossy(&output.stderr).trim())
+        cargo::last_lines("Its picture could not be made", &String::from_utf8_lossy(&output.stderr))
+            .trim_end()
+            .to_owned()
     })
 }
 

@@ -2,7 +2,7 @@
 
 use common::{
     Interval,
-    exercise::{Finding, Verdict},
+    exercise::{Finding, Verdict, trying},
 };
 use ray_casting::{hit::Hit, ray::Ray, shape::Shape};
 
@@ -59,10 +59,11 @@ impl<S: Shape, R: Reference> Trial<S, R> {
     fn judge<'a>(&self, ray: &Ray, range: Interval, particular: impl Fn(Mistake<'a>) -> Mistake<'a>) -> Verdict {
         let Some(crossings) = self.ideal.crossings(ray) else { return Ok(()) };
         let expected = first_in(&crossings, range);
-        let answer = self.shape.intersect(ray, range);
+        let tried = || format!("{}, {}, at {}", words::ray(ray), words::range(range), self.ideal.words());
+        let answer = trying(tried, || self.shape.intersect(ray, range));
         let finding = |(name, advice): Mistake, more: &str| {
             Finding {
-                tried: format!("{}, {}, at {}", words::ray(ray), words::range(range), self.ideal.words()),
+                tried: tried(),
                 got: words::answer(answer),
                 expected: words::crossing(expected, ray),
                 advice: format!("{advice}{more}"),
@@ -86,7 +87,7 @@ const NOT_NEAREST: Mistake =
 /// A ray parameter in scene units.
 const UNIT_DIRECTION: Mistake = (
     "unit-direction",
-    "`t` counts lengths of the ray's direction, and this direction is not of unit length. Do not normalise it, or divide \
+    "`t` counts lengths of the ray's direction, and this direction is not of unit length. Do not normalize it, or divide \
      by its length again in the end.",
 );
 

@@ -1,4 +1,5 @@
-//! How messages put things: numbers in full, so that a student can type them off.
+//! How messages put things: what was tried in full, so that a student can type it off, and what came out and what was
+//! expected with equally many digits, so that rounding does not look like a mistake.
 
 use common::{Interval, Vec3};
 use glam::DVec3;
@@ -49,9 +50,9 @@ pub(crate) fn answer(answer: Option<Hit>) -> String {
     answer.map_or("no hit".into(), |hit| {
         format!(
             "a hit at t = {}, position {}, normal {}, {}",
-            hit.t,
-            triple(hit.position),
-            triple(hit.geometric_normal),
+            number(f64::from(hit.t)),
+            rounded(hit.position.as_dvec3()),
+            rounded(hit.geometric_normal.as_dvec3()),
             side(hit.side)
         )
     })

@@ -1,6 +1,7 @@
 //! Wrong orthographic cameras, all of one recipe with one ingredient changed.
 
 use common::{Vec2, Vec3, exercise::Verdict, picture::FilmPoint};
+use glam::Vec2Swizzles as _;
 use ray_casting::{camera::Camera, ray::Ray};
 
 use crate::{checks::orthographic_camera::check, name};
@@ -22,8 +23,11 @@ const RIGHT: Recipe = Recipe {
     middle: |eye, _| eye,
     direction: |forward| forward.normalize(),
     axes: |forward, up| {
-        let right = forward.cross(up).try_normalize().unwrap_or_else(|| forward.normalize().any_orthonormal_vector());
-        [right, right.cross(forward.normalize())]
+        let forward = forward.normalize();
+        let across = forward.cross(up.normalize());
+        let is_along_up = across.length_squared() < 1e-6;
+        let right = if is_along_up { forward.any_orthonormal_vector() } else { across.normalize() };
+        [right, right.cross(forward)]
     },
     film: |point| point.ndc() * point.size / point.size.min_element() / 2.0,
 };
@@ -89,7 +93,21 @@ fn wrong_origins() {
 
 #[test]
 fn wrong_scales() {
-    assert_eq!(Recipe { film: |point| (RIGHT.film)(point) * 2.0, ..RIGHT }.diagnosis(), "wrong-scale");
+    let scaled = |film| Recipe { film, ..RIGHT }.check().unwrap_err();
+    for (film, factor, says_half) in [
+        ((|point| (RIGHT.film)(point) * 2.0) as fn(FilmPoint) -> Vec2, "is 2 times", true),
+        (|point| (RIGHT.film)(point) / 2.0, "is 0.5 times", true),
+        // By the distance, as the pinhole camera's window.
+        (|point| (RIGHT.film)(point) * 5.0, "is 5 times", false),
+        (|point| (RIGHT.film)(point) * 10.0, "is 10 times", false),
+        (|point| (RIGHT.film)(point) * 1.005, "is 1.005 times", false),
+        (|point| (RIGHT.film)(point) * 0.3, "is 0.3 times", false),
+    ] {
+        let wrong = scaled(film);
+        assert_eq!(wrong.name, "wrong-scale");
+        let words = wrong.message.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains(factor) && words.contains("half") == says_half, "{wrong}");
+    }
     assert_eq!(Recipe { film: |point| point.ndc() / 2.0, ..RIGHT }.diagnosis(), "pixels-not-square");
     let by_height: fn(FilmPoint) -> Vec2 = |point| point.ndc() * Vec2::new(point.aspect(), 1.0) / 2.0;
     assert_eq!(Recipe { film: by_height, ..RIGHT }.diagnosis(), "longer-side");
@@ -104,24 +122,47 @@ fn wrong_way_round() {
     assert_eq!(Recipe { axes: mirrored, ..RIGHT }.diagnosis(), "mirrored");
     let film: fn(FilmPoint) -> Vec2 = |point| (RIGHT.film)(point) * Vec2::new(1.0, -1.0);
     assert_eq!(Recipe { film, ..RIGHT }.diagnosis(), "upside-down");
+    assert_eq!(Recipe { film: |point| (RIGHT.film)(point).yx(), ..RIGHT }.diagnosis(), "axes-swapped");
 }
 
 #[test]
 fn a_film_that_leans() {
     let leaning: fn(Vec3, Vec3) -> [Vec3; 2] = |forward, up| [forward.cross(up).normalize_or_zero(), up];
     assert_eq!(Recipe { axes: leaning, ..RIGHT }.diagnosis(), "film-leans");
-    let unnormalised: fn(Vec3, Vec3) -> [Vec3; 2] = |forward, up| {
+    let unnormalized: fn(Vec3, Vec3) -> [Vec3; 2] = |forward, up| {
         let right = forward.normalize().cross(up);
         [right, right.cross(forward.normalize())]
     };
-    assert_eq!(Recipe { axes: unnormalised, ..RIGHT }.diagnosis(), "film-leans");
+    assert_eq!(Recipe { axes: unnormalized, ..RIGHT }.diagnosis(), "axes-not-unit");
 }
 
 #[test]
 fn looking_along_up() {
-    let axes: fn(Vec3, Vec3) -> [Vec3; 2] = |forward, up| {
-        let right = forward.cross(up).normalize();
-        [right, right.cross(forward.normalize())]
-    };
-    assert_eq!(Recipe { axes, ..RIGHT }.diagnosis(), "looking-along-up");
+    let along = |axes| Recipe { axes, ..RIGHT }.diagnosis();
+    assert_eq!(
+        along(|forward, up| {
+            let right = forward.cross(up).normalize();
+            [right, right.cross(forward.normalize())]
+        }),
+        "looking-along-up"
+    );
+    // Always the same right: it lies in the view when that goes along X.
+    assert_eq!(
+        along(|forward, up| {
+            let forward = forward.normalize();
+            let across = forward.cross(up.normalize());
+            let right = if across.length_squared() < 1e-6 { Vec3::X } else { across.normalize() };
+            [right, right.cross(forward)]
+        }),
+        "looking-along-up"
+    );
+    // The direction of what rounding has left.
+    assert_eq!(
+        along(|forward, up| {
+            let forward = forward.normalize();
+            let right = forward.cross(up).try_normalize().unwrap_or_else(|| forward.any_orthonormal_vector());
+            [right, right.cross(forward)]
+        }),
+        "nearly-along-up"
+    );
 }

@@ -102,13 +102,31 @@ fn wrong_directions() {
 
 #[test]
 fn wrong_cones() {
-    assert_eq!(Recipe { share: |_, _, _| 1.0, ..RIGHT }.diagnosis(), "shines-backwards");
+    assert_eq!(Recipe { share: |_, _, _| 1.0, ..RIGHT }.diagnosis(), "no-cone-yet");
+    // The comparisons the wrong way round.
+    let reversed = Recipe { share: |c, i, o| if c < i { 1.0 } else { f32::from(c <= o) }, ..RIGHT };
+    assert_eq!(reversed.diagnosis(), "shines-backwards");
+    let message = reversed.check().unwrap_err().message;
+    assert!(message.contains("Perhaps") && message.contains("comparison"), "{message}");
     assert_eq!(Recipe { share: |cosine, _, _| f32::from(cosine > 0.0), ..RIGHT }.diagnosis(), "no-cone");
     assert_eq!(Recipe { angle: |degrees| degrees.to_radians() / 2.0, ..RIGHT }.diagnosis(), "full-angle");
     // cos 30 and cos 60, as if these were radians, are 0.15 and −0.95.
-    assert_eq!(Recipe { angle: |degrees| degrees, ..RIGHT }.diagnosis(), "no-cone");
-    let unclamped: fn(f32, f32, f32) -> f32 = |cosine, inner, outer| smooth((cosine - outer) / (inner - outer));
-    assert_ne!(Recipe { share: unclamped, ..RIGHT }.diagnosis(), "wrong-falloff");
+    assert_eq!(Recipe { angle: |degrees| degrees, ..RIGHT }.diagnosis(), "degrees-not-radians");
+    let unlimited = |share| Recipe { share, ..RIGHT }.diagnosis();
+    assert_eq!(unlimited(|c, i, o| smooth((c - o) / (i - o))), "x-not-limited");
+    assert_eq!(unlimited(|c, i, o| (c - o) / (i - o)), "x-not-limited");
+    assert_eq!(unlimited(|c, i, o| smooth(((c - o) / (i - o)).max(0.0))), "x-not-limited");
+    assert_eq!(unlimited(|c, i, o| smooth(((c - o) / (i - o)).min(1.0))), "x-not-limited");
+}
+
+#[test]
+fn nothing_about_the_dark() {
+    let changed = |change| Recipe { change, ..RIGHT }.diagnosis();
+    const NONE: Illumination = Illumination { direction: Vec3::Y, distance: f32::INFINITY, strength: Rgb::ZERO };
+    assert_eq!(changed(|l, _| if l.strength == Rgb::ZERO { NONE } else { l }), "direction-in-the-dark");
+    let no_distance: fn(Illumination, f32) -> Illumination =
+        |l, _| if l.strength == Rgb::ZERO { Illumination { distance: f32::INFINITY, ..l } } else { l };
+    assert_eq!(changed(no_distance), "direction-in-the-dark");
 }
 
 #[test]
@@ -136,10 +154,24 @@ fn equal_angles() {
     let share: fn(f32, f32, f32) -> f32 =
         |c, i, o| smooth(((c - o) / (i - o + f32::MIN_POSITIVE)).clamp(0.0, 1.0)) * ((i - o) / (i - o));
     assert_eq!(Recipe { share, ..RIGHT }.diagnosis(), "sharp-edge");
+    // A NaN on the edge itself: `clamp` keeps it, `max` makes zero of it.
+    let on_edge = |share| Recipe { share, ..RIGHT }.diagnosis();
+    assert_eq!(on_edge(|c, i, o| smooth(((c - o) / (i - o)).clamp(0.0, 1.0))), "on-sharp-edge");
+    assert_eq!(
+        on_edge(|c, i, o| {
+            let x = (c - o) / (i - o);
+            smooth(if x.is_nan() { 0.0 } else { x.clamp(0.0, 1.0) })
+        }),
+        "on-sharp-edge"
+    );
+    // A NaN at 45° only.
+    let only_on_axis: fn(f32, f32, f32) -> f32 =
+        |c, i, o| if c >= 1.0 { 1.0 } else { smooth(((c - o) / (i - o)).clamp(0.0, 1.0)) };
+    assert_eq!(on_edge(only_on_axis), "on-sharp-edge");
 }
 
 #[test]
 fn intensity_of_one_channel() {
     let gray = |l: Illumination, _| Illumination { strength: Rgb::splat(l.strength.x), ..l };
-    assert_eq!(Recipe { change: gray, ..RIGHT }.diagnosis(), "wrong-strength");
+    assert_eq!(Recipe { change: gray, ..RIGHT }.diagnosis(), "one-channel");
 }

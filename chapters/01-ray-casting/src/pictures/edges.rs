@@ -2,7 +2,6 @@
 
 use common::{
     Error, Rgb, Stream, Vec3,
-    color::srgb,
     film::Size,
     picture::{FilmPoint, Integrator, Picture, Render, Settings},
     story::{Story, number},
@@ -40,13 +39,15 @@ struct Edges {
 
 impl Integrator for Edges {
     fn radiance(&self, point: FilmPoint, _random: &mut Stream, story: &mut impl Story) -> Rgb {
+        /// What each edge adds on its left side.
+        const COLORS: [Rgb; 3] =
+            [Rgb::new(0.3, 0.034, 0.025), Rgb::new(0.045, 0.22, 0.054), Rgb::new(0.034, 0.09, 0.35)];
         let ray = straight_at(point);
         let [r1, r2, r3] = self.triangle.corners;
         let n = self.triangle.normal();
         let p = ray.at((r1 - ray.origin).dot(n) / ray.direction.dot(n));
-        let colors = [srgb(150, 52, 44), srgb(60, 128, 66), srgb(52, 84, 160)];
         let mut color = Rgb::splat(0.012);
-        for ((from, to), own) in [(r1, r2), (r2, r3), (r3, r1)].into_iter().zip(colors) {
+        for ((from, to), own) in [(r1, r2), (r2, r3), (r3, r1)].into_iter().zip(COLORS) {
             let turn = (to - from).cross(p - from).dot(n);
             story.tell(|| format!("((to − from) × (p − from)) · n = {}", number(turn)));
             if turn >= 0.0 {

@@ -2,7 +2,6 @@
 
 use common::{
     Error, Rgb,
-    color::srgb,
     film::Size,
     picture::{ORBIT, Picture, Render, Settings},
 };
@@ -31,8 +30,8 @@ fn side_and_distance(hit: &Hit) -> Rgb {
     /// Distances at which the color is full and at which it is gone, in scene units.
     const FADE: [f32; 2] = [7.0, 12.0];
     let color = match hit.side {
-        Side::Outside => srgb(120, 175, 235),
-        Side::Inside => srgb(255, 150, 60),
+        Side::Outside => Rgb::new(0.19, 0.43, 0.83),
+        Side::Inside => Rgb::new(1.0, 0.3, 0.045),
     };
     color * ((FADE[1] - hit.t) / (FADE[1] - FADE[0])).clamp(0.0, 1.0)
 }

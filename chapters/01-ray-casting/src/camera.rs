@@ -76,7 +76,7 @@ impl Camera {
         self.eye
     }
 
-    /// The same camera moved on a sphere around `lookat` by the knobs `yaw`, `pitch` and `zoom`.
+    /// A camera that starts at `eye` and is moved on a sphere around `lookat` by the knobs `yaw`, `pitch` and `zoom`.
     ///
     /// # Errors
     /// As for [`Camera::new`].

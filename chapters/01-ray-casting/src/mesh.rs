@@ -26,7 +26,7 @@ pub struct Mesh {
 enum VertexNormals {
     /// None: every triangle is shaded with its own normal.
     Flat,
-    /// For each triangle the indices of the normals in its corners.
+    /// Unit normals, or zero where there is none, and for each triangle the indices of those in its corners.
     Smooth { normals: Vec<Vec3>, triangles: Vec<[u32; 3]> },
 }
 // ANCHOR_END: mesh
@@ -57,11 +57,12 @@ impl Mesh {
         let normals = match shading {
             Shading::Flat => VertexNormals::Flat,
             Shading::Smooth if triangle_normals.len() == triangles.len() => {
-                VertexNormals::Smooth { normals: normals.clone(), triangles: triangle_normals.clone() }
+                VertexNormals::Smooth { normals: unit(normals), triangles: triangle_normals.clone() }
             }
-            Shading::Smooth => {
-                VertexNormals::Smooth { normals: mean_normals(positions, triangles), triangles: triangles.clone() }
-            }
+            Shading::Smooth => VertexNormals::Smooth {
+                normals: unit(&mean_normals(positions, triangles)),
+                triangles: triangles.clone(),
+            },
         };
         Ok(Self { positions: positions.clone(), triangles: triangles.clone(), normals, bounds })
     }
@@ -91,6 +92,11 @@ impl Mesh {
             Triangle::new(r1, r2, r3)
         })
     }
+}
+
+/// The same normals with unit length, or zero.
+fn unit(normals: &[Vec3]) -> Vec<Vec3> {
+    normals.iter().map(|n| n.normalize_or_zero()).collect()
 }
 
 // ANCHOR: mean
@@ -127,7 +133,7 @@ impl Shape for Mesh {
         Some(match &self.normals {
             VertexNormals::Flat => flat,
             VertexNormals::Smooth { normals, triangles } => {
-                let [n1, n2, n3] = triangles[i].map(|i| normals[i as usize].normalize_or_zero());
+                let [n1, n2, n3] = triangles[i].map(|i| normals[i as usize]);
                 let [alpha, beta, gamma] = hit.weights;
                 flat.shaded_with(n1 * alpha + n2 * beta + n3 * gamma)
             }

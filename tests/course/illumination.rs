@@ -113,7 +113,8 @@ fn brightness_is_what_the_formula_says() {
         let lamps: Vec<_> = (0..i % 4).map(|_| Lamp::random(&mut random)).collect();
         let mut scene = Scene::new();
         scene.ambient = random_color(&mut random);
-        scene.background = random_color(&mut random);
+        let background = random_color(&mut random);
+        scene.surround(background);
         match one_of(&mut random, 2) {
             0 => scene.add("ball", Sphere::new(in_cube(&mut random), 1.0), material),
             _ => scene.add("smooth mesh", mesh.clone(), material),
@@ -123,7 +124,7 @@ fn brightness_is_what_the_formula_says() {
         let terms = Terms { ambient: i & 4 == 0, diffuse: i & 8 == 0, specular: i & 16 == 0 };
         // Only the hit itself is taken from the chapter.
         let hit = scene.intersect(&ray, Interval::POSITIVE).map(|(hit, _)| hit);
-        let (ambient, background) = (scene.ambient, scene.background);
+        let ambient = scene.ambient;
         let camera = Camera::new(Vec3::Z, Vec3::ZERO, Vec3::Y, 40.0).unwrap();
         let radiance = LocalIllumination { scene, camera, terms }.trace(&ray, &mut Untold);
         let Some(hit) = hit else {

@@ -18,6 +18,8 @@ pub struct Hit {
     pub shading_normal: Vec3,
     /// Which side of the surface the ray met.
     pub side: Side,
+    /// The greatest number that went into `position`, in scene units: its rounding error is in proportion to this.
+    pub magnitude: f32,
 }
 
 /// The two sides of a surface.
@@ -42,9 +44,16 @@ impl Hit {
         let outward = outward.try_normalize().unwrap_or_else(|| -ray.direction.normalize());
         // Turn the normal to face the ray.
         let normal = if side == Side::Inside { -outward } else { outward };
-        Self { t, position: ray.at(t), geometric_normal: normal, shading_normal: normal, side }
+        let magnitude = ray.origin.abs().max((ray.direction * t).abs()).max_element();
+        Self { t, position: ray.at(t), geometric_normal: normal, shading_normal: normal, side, magnitude }
     }
     // ANCHOR_END: new
+
+    /// The same hit, computed with the coordinates of `point` too: the center of a sphere, the corner of a triangle.
+    #[must_use]
+    pub fn among(self, point: Vec3) -> Self {
+        Self { magnitude: self.magnitude.max(point.abs().max_element()), ..self }
+    }
 
     // ANCHOR: shading
     /// The same hit with another outward normal for shading (of any length), turned like the geometric one.

@@ -47,7 +47,7 @@ impl<F: Implicit> Shape for ImplicitSurface<F> {
             if (before < 0.0) != (after < 0.0) {
                 let t = bisect(value, t, next);
                 if range.contains(t) {
-                    return Some(Hit::new(ray, t, self.function.gradient(ray.at(t))));
+                    return Some(Hit::new(ray, t, self.function.gradient(ray.at(t))).among(self.bound.center));
                 }
             }
             (t, before) = (next, after);

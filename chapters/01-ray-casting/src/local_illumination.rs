@@ -1,7 +1,7 @@
 //! Local illumination: how bright a point is by the light that comes straight from the lights.
 
 use common::{
-    Interval, Rgb, Stream,
+    Interval, Rgb, Stream, Vec3,
     picture::{FilmPoint, Integrator},
     story::{Story, number, triple},
 };
@@ -9,6 +9,7 @@ use common::{
 use crate::{
     camera::Camera,
     hit::{Hit, Side},
+    light::Illumination,
     material::Phong,
     ray::Ray,
     scene::{Object, Scene},
@@ -52,8 +53,9 @@ impl LocalIllumination {
                 self.shade(ray, &hit, &object.material, story)
             }
             None => {
-                story.tell(|| format!("hits nothing: background {}", triple(self.scene.background)));
-                self.scene.background
+                let background = self.scene.background.radiance(ray.direction);
+                story.tell(|| format!("hits nothing: background {}", triple(background)));
+                background
             }
         }
     }
@@ -72,21 +74,30 @@ impl LocalIllumination {
         // Add what each light contributes.
         for (i, light) in self.scene.lights.iter().enumerate() {
             let light = light.illuminate(hit.position);
-            let mut reflected = Rgb::ZERO;
-            if self.terms.diffuse {
-                reflected += material.diffuse_term(light.direction, hit.shading_normal);
-            }
-            if self.terms.specular {
-                reflected += material.specular_term(light.direction, hit.shading_normal, to_viewer);
-            }
-            radiance += light.strength * reflected;
-            story.tell(|| tell_light(i + 1, &light, hit, material, to_viewer, light.strength * reflected));
+            let reflected = reflected(&light, hit, material, to_viewer, self.terms);
+            radiance += reflected;
+            story.tell(|| tell_light(i + 1, &light, hit, material, to_viewer, reflected));
         }
         story.tell(|| format!("sum = {}", triple(radiance)));
         radiance
     }
     // ANCHOR_END: shade
 }
+
+// ANCHOR: reflected
+/// `L_l · { k_d (L·N)⁺ + k_s ((H·N)⁺)^shininess }`: what the viewer gets of one light.
+#[must_use]
+pub fn reflected(light: &Illumination, hit: &Hit, material: &Phong, to_viewer: Vec3, terms: Terms) -> Rgb {
+    let mut share = Rgb::ZERO;
+    if terms.diffuse {
+        share += material.diffuse_term(light.direction, hit.shading_normal);
+    }
+    if terms.specular {
+        share += material.specular_term(light.direction, hit.shading_normal, to_viewer);
+    }
+    light.strength * share
+}
+// ANCHOR_END: reflected
 
 // ANCHOR: integrator
 impl Integrator for LocalIllumination {
@@ -115,12 +126,14 @@ pub fn tell_hit<Material>(story: &mut impl Story, hit: &Hit, object: &Object<Mat
     });
 }
 
-fn tell_light(
+/// Tell what one light, counted from 1, adds.
+#[must_use]
+pub fn tell_light(
     number_of_light: usize,
-    light: &crate::light::Illumination,
+    light: &Illumination,
     hit: &Hit,
     material: &Phong,
-    to_viewer: common::Vec3,
+    to_viewer: Vec3,
     contribution: Rgb,
 ) -> String {
     let halfway = (light.direction + to_viewer).normalize_or_zero();

@@ -128,7 +128,7 @@ impl Shape for Mesh {
             }
         }
         let (i, triangle, hit) = nearest?;
-        let flat = Hit::new(ray, hit.t, triangle.normal());
+        let flat = Hit::new(ray, hit.t, triangle.normal()).among(triangle.farthest());
         // Interpolate the normals of the three corners by the weights of the hit.
         Some(match &self.normals {
             VertexNormals::Flat => flat,
@@ -139,5 +139,12 @@ impl Shape for Mesh {
             }
         })
     }
+    // ANCHOR_END: intersect
+
+    // ANCHOR: occluded
+    fn occluded(&self, ray: &Ray, range: Interval) -> bool {
+        let along = Shear::along(ray);
+        self.triangles().any(|triangle| triangle.hit_by_barycentric(&along, range).is_some())
+    }
+    // ANCHOR_END: occluded
 }
-// ANCHOR_END: intersect

@@ -126,7 +126,10 @@ impl Shape for Quadric {
         [first, second].into_iter().find_map(|u| {
             let (t, r) = (u + shift, (s + d * u).truncate());
             let visible = range.contains(t) && self.clip.contains(r);
-            visible.then(|| Hit::new(ray, t, self.frame.vector_to_world(self.gradient(r))))
+            visible.then(|| {
+                let outward = self.frame.vector_to_world(self.gradient(r));
+                Hit::new(ray, t, outward).among(self.frame.point_to_world(Vec3::ZERO))
+            })
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use common::{Interval, Rgb};
 
-use crate::{hit::Hit, light::Light, ray::Ray, shape::Shape};
+use crate::{background::Background, hit::Hit, light::Light, ray::Ray, shape::Shape};
 
 // ANCHOR: scene
 /// Everything there is to see, generic in what a material is.
@@ -14,7 +14,7 @@ pub struct Scene<Material> {
     /// `L_a`: the light that is taken to come from everywhere.
     pub ambient: Rgb,
     /// What a ray sees that hits nothing.
-    pub background: Rgb,
+    pub background: Box<dyn Background>,
 }
 
 /// A shape and what it is made of.
@@ -32,7 +32,7 @@ impl<Material> Scene<Material> {
     /// A dark, empty scene.
     #[must_use]
     pub fn new() -> Self {
-        Self { objects: Vec::new(), lights: Vec::new(), ambient: Rgb::ZERO, background: Rgb::ZERO }
+        Self { objects: Vec::new(), lights: Vec::new(), ambient: Rgb::ZERO, background: Box::new(Rgb::ZERO) }
     }
 
     /// Put an object into the scene.
@@ -44,6 +44,12 @@ impl<Material> Scene<Material> {
     /// Put a light into the scene.
     pub fn light(&mut self, light: impl Light + 'static) -> &mut Self {
         self.lights.push(Box::new(light));
+        self
+    }
+
+    /// Put the scene into surroundings: one color, or anything else that answers for every direction.
+    pub fn surround(&mut self, background: impl Background + 'static) -> &mut Self {
+        self.background = Box::new(background);
         self
     }
 
@@ -63,6 +69,14 @@ impl<Material> Scene<Material> {
         nearest
     }
     // ANCHOR_END: nearest
+
+    // ANCHOR: occluded
+    /// Whether anything at all is hit inside `range`. The first object that is hit answers.
+    #[must_use]
+    pub fn occluded(&self, ray: &Ray, range: Interval) -> bool {
+        self.objects.iter().any(|object| object.shape.occluded(ray, range))
+    }
+    // ANCHOR_END: occluded
 }
 
 impl<Material> Default for Scene<Material> {
@@ -90,6 +104,8 @@ mod tests {
             assert_eq!((hit.t, object.material), (2.0, 3.0));
             // What lies before the range is passed over.
             assert_eq!(scene.intersect(&ray, Interval::new(4.0, 99.0)).unwrap().1.material, 5.0);
+            assert!(scene.occluded(&ray, Interval::POSITIVE));
+            assert!(!scene.occluded(&ray, Interval::new(0.0, 2.0)) && !scene.occluded(&ray, Interval::new(10.0, 99.0)));
         }
         assert!(Scene::<f32>::new().intersect(&ray, Interval::POSITIVE).is_none());
     }

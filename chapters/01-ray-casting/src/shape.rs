@@ -9,6 +9,15 @@ use crate::{hit::Hit, ray::Ray};
 pub trait Shape: Send + Sync {
     /// The nearest hit whose `t` lies inside the open interval `range`.
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit>;
+
+    // ANCHOR: occluded
+    /// Whether there is any hit at all inside `range`: the question of a shadow ray (chapter 2).
+    ///
+    /// A shape made of many parts may stop at the first of them that is hit.
+    fn occluded(&self, ray: &Ray, range: Interval) -> bool {
+        self.intersect(ray, range).is_some()
+    }
+    // ANCHOR_END: occluded
 }
 // ANCHOR_END: shape
 

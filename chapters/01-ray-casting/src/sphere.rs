@@ -61,7 +61,7 @@ impl Sphere {
 impl Shape for Sphere {
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
         let t = self.roots(ray).first_in(range)?;
-        Some(Hit::new(ray, t, ray.at(t) - self.center))
+        Some(Hit::new(ray, t, ray.at(t) - self.center).among(self.center))
     }
 }
 // ANCHOR_END: intersect
@@ -73,7 +73,7 @@ pub struct TextbookSphere(pub Sphere);
 impl Shape for TextbookSphere {
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
         let t = self.0.roots_textbook(ray).first_in(range)?;
-        Some(Hit::new(ray, t, ray.at(t) - self.0.center))
+        Some(Hit::new(ray, t, ray.at(t) - self.0.center).among(self.0.center))
     }
 }
 

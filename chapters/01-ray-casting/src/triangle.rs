@@ -37,4 +37,11 @@ impl Triangle {
         (r2 - r1).cross(r3 - r1)
     }
     // ANCHOR_END: normal
+
+    /// For each axis the greatest distance of a corner from the scene's origin.
+    #[must_use]
+    pub fn farthest(&self) -> Vec3 {
+        let [r1, r2, r3] = self.corners.map(Vec3::abs);
+        r1.max(r2).max(r3)
+    }
 }

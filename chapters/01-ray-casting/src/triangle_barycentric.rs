@@ -87,6 +87,6 @@ fn area(p: Vec3, q: Vec3) -> f32 {
 impl Shape for Triangle {
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
         let hit = self.hit_by_barycentric(&Shear::along(ray), range)?;
-        Some(Hit::new(ray, hit.t, self.normal()))
+        Some(Hit::new(ray, hit.t, self.normal()).among(self.farthest()))
     }
 }

@@ -31,7 +31,7 @@ pub(crate) fn make<L: Light + 'static>(
     let [inner, outer] = [INNER, OUTER].map(|knob| settings.values.number(&knob));
     let mut scene = Scene::new();
     scene.ambient = Rgb::new(0.020, 0.022, 0.030);
-    scene.background = Rgb::new(0.004, 0.0045, 0.006);
+    scene.surround(Rgb::new(0.004, 0.0045, 0.006));
     let white = Phong::of(srgb(228, 222, 210), 0.5, 60.0);
     scene.add("floor", square(400.0)?, Phong::of(srgb(190, 190, 190), 0.0, 1.0));
     scene.add("ball", Sphere::new(Vec3::new(0.0, 0.4, -0.35), 0.4), white);

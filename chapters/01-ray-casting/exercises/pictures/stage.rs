@@ -48,7 +48,7 @@ pub(super) fn stage() -> Result<Scene<Phong>, Error> {
     let floor = Phong::of(srgb(92, 96, 108), 0.0, 1.0);
     // Far from the lamp the floor shows the ambient light and the sun. The background is the same.
     let sun = sun().illuminate(Vec3::ZERO);
-    scene.background = floor.ambient * scene.ambient + sun.strength * floor.diffuse_term(sun.direction, Vec3::Y);
+    scene.surround(floor.ambient * scene.ambient + sun.strength * floor.diffuse_term(sun.direction, Vec3::Y));
     scene.add("floor", square(400.0)?, floor);
     Ok(scene)
 }

@@ -71,7 +71,7 @@ fn view(settings: &Settings) -> Result<crate::camera::Camera, Error> {
 fn scene() -> Result<Scene<Phong>, Error> {
     let mut scene = Scene::new();
     scene.ambient = Rgb::new(0.30, 0.33, 0.38);
-    scene.background = scene.ambient;
+    scene.surround(scene.ambient);
     scene.light(DirectionalLight::new(Vec3::new(0.75, 0.55, 0.35), Rgb::new(1.95, 1.82, 1.57)));
     scene.add("floor", square(0.0, 60.0)?, Phong::of(srgb(196, 190, 180), 0.0, 1.0));
     scene.add("ball", Sphere::new(Vec3::new(0.62, 0.6, 0.0), 0.6), Phong::of(srgb(236, 232, 224), 0.0, 1.0));

@@ -47,7 +47,7 @@ fn view(distance: f32, textbook: bool) -> Result<Box<dyn Render>, Error> {
     let material = Phong::of(srgb(206, 108, 74), 0.4, 40.0);
     let mut scene = Scene::new();
     scene.ambient = Rgb::splat(0.12);
-    scene.background = Rgb::splat(0.02);
+    scene.surround(Rgb::splat(0.02));
     scene.light(DirectionalLight::new(Vec3::new(1.0, 1.0, 1.0), Rgb::splat(2.83)));
     if textbook {
         scene.add("ball by the textbook's formula", TextbookSphere(ball), material);

@@ -58,7 +58,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
 
     let mut scene = Scene::new();
     scene.ambient = Rgb::splat(0.10);
-    scene.background = srgb(34, 38, 46);
+    scene.surround(srgb(34, 38, 46));
     scene.light(DirectionalLight::new(Vec3::new(0.9, 0.9, 1.0), Rgb::new(2.98, 2.7, 2.26)));
     scene.light(DirectionalLight::new(Vec3::new(-1.0, 0.3, -0.25), Rgb::new(1.07, 1.32, 1.88)));
     scene.add("mesh", mesh, Phong::of(srgb(214, 196, 164), 0.35, 40.0));

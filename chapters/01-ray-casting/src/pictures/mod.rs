@@ -16,7 +16,7 @@ mod quadrics;
 mod shading;
 mod shininess;
 mod sphere;
-mod stage;
+pub mod stage;
 pub mod still_life;
 mod terms;
 

@@ -16,31 +16,30 @@ use crate::{
 };
 
 /// The sun of the stage: low, from the left and behind, a little cool.
-pub(super) fn sun() -> DirectionalLight {
+pub fn sun() -> DirectionalLight {
     DirectionalLight::new(Vec3::new(-0.9, 0.3, -0.35), Rgb::new(1.7, 2.1, 3.1))
 }
 
 /// The lamp of the stage: near, warm, from the right and in front.
-pub(super) fn lamp() -> PointLight {
+pub fn lamp() -> PointLight {
     PointLight { position: Vec3::new(2.2, 3.9, 3.0), intensity: Rgb::new(75.4, 61.3, 45.6) }
 }
 
 /// A stage with a floor that fades into the background.
-pub(super) fn stage() -> Result<Scene<Phong>, Error> {
+pub fn stage() -> Result<Scene<Phong>, Error> {
     let mut scene = Scene::new();
     scene.ambient = Rgb::new(0.07, 0.085, 0.12);
     let floor = Phong::of(srgb(92, 96, 108), 0.0, 1.0);
     // Far from the lamp the floor shows the ambient light and the sun. The background is the same.
     let sunlight = crate::light::Light::illuminate(&sun(), Vec3::ZERO);
-    scene.background =
-        floor.ambient * scene.ambient + sunlight.strength * floor.diffuse_term(sunlight.direction, Vec3::Y);
+    scene.surround(floor.ambient * scene.ambient + sunlight.strength * floor.diffuse_term(sunlight.direction, Vec3::Y));
     scene.light(sun()).light(lamp());
     scene.add("floor", square(0.0, 400.0)?, floor);
     Ok(scene)
 }
 
 /// A horizontal square around the y axis at height `y`, with sides of twice `half` scene units.
-pub(super) fn square(y: f32, half: f32) -> Result<Mesh, Error> {
+pub fn square(y: f32, half: f32) -> Result<Mesh, Error> {
     let corner = |x: f32, z: f32| Vec3::new(x * half, y, z * half);
     let obj = ObjMesh {
         positions: vec![corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)],
@@ -51,7 +50,7 @@ pub(super) fn square(y: f32, half: f32) -> Result<Mesh, Error> {
 }
 
 /// The crystals of `assets/gem.obj`, 1 unit high, scaled and put at `place`.
-pub(super) fn crystals(place: Vec3, scale: f32) -> Result<Mesh, Error> {
+pub fn crystals(place: Vec3, scale: f32) -> Result<Mesh, Error> {
     let mut obj = asset("assets/gem.obj", include_bytes!("../../../../assets/gem.obj"))?;
     for position in &mut obj.positions {
         *position = *position * scale + place;
@@ -60,7 +59,7 @@ pub(super) fn crystals(place: Vec3, scale: f32) -> Result<Mesh, Error> {
 }
 
 /// The pawn of `assets/pawn.obj`: 2 units high.
-pub(super) fn pawn() -> Result<ObjMesh, Error> {
+pub fn pawn() -> Result<ObjMesh, Error> {
     asset("assets/pawn.obj", include_bytes!("../../../../assets/pawn.obj"))
 }
 
@@ -69,11 +68,11 @@ fn asset(file: &str, bytes: &[u8]) -> Result<ObjMesh, Error> {
 }
 
 /// A camera that the orbit knobs move.
-pub(super) fn camera(eye: [f32; 3], lookat: [f32; 3], field_of_view: f32, values: &Values) -> Result<Camera, Error> {
+pub fn camera(eye: [f32; 3], lookat: [f32; 3], field_of_view: f32, values: &Values) -> Result<Camera, Error> {
     Camera::orbited(Vec3::from_array(eye), Vec3::from_array(lookat), field_of_view, values).map_err(camera_error)
 }
 
 /// A camera that cannot be made, as an error of the picture.
-pub(super) fn camera_error(error: CameraError) -> Error {
+pub fn camera_error(error: CameraError) -> Error {
     Error::Picture(error.to_string())
 }

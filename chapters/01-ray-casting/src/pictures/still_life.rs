@@ -38,7 +38,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
 // ANCHOR_END: picture
 
 /// The camera of the still life.
-pub(super) fn view(settings: &Settings) -> Result<Camera, Error> {
+pub fn view(settings: &Settings) -> Result<Camera, Error> {
     camera([0.1, 3.4, 8.6], [-0.02, 0.86, 0.0], 22.5, &settings.values)
 }
 

@@ -36,7 +36,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
         let mut scene = still_life::scene()?;
         // The background counts as ambient light, so that the parts add up to the sum.
         if !terms.ambient {
-            scene.background = common::Rgb::ZERO;
+            scene.surround(common::Rgb::ZERO);
         }
         Ok(Box::new(LocalIllumination { scene, camera: still_life::view(settings)?, terms }))
     };

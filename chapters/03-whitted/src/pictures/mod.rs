@@ -1,0 +1,9 @@
+//! The pictures of this chapter.
+
+mod cover;
+
+use common::picture::Chapter;
+
+/// Chapter 3 with all its pictures.
+pub const CHAPTER: Chapter =
+    Chapter { number: 3, name: "whitted", title: "Recursive ray tracing", pictures: &[cover::PICTURE] };

@@ -5,8 +5,10 @@
 
 use std::{cell::RefCell, fmt, thread};
 
+pub mod dice;
 #[cfg(feature = "cli")]
 mod run;
+pub mod words;
 
 #[cfg(feature = "cli")]
 pub use run::main;

@@ -2,13 +2,13 @@
 
 use common::{
     Interval, Vec3,
-    exercise::{Diagnosis, Verdict},
+    exercise::{Diagnosis, Verdict, dice::Dice},
 };
 use ray_casting::{ray::Ray, shape::Shape};
 
 use super::{
     crossing::{Crossing, Reference, line},
-    dice::Dice,
+    dice,
     judge::{Slack, Trial},
     words,
 };
@@ -62,7 +62,7 @@ pub(crate) fn check<S: Shape>(make: impl Fn(Vec3, Vec3) -> S) -> Verdict {
     for _ in 0..300 {
         let plane = trial(dice.point(4.0), dice.direction() * dice.choice([0.5, 1.0, 8.0]));
         for _ in 0..10 {
-            plane.compare(&dice.ray(8.0, plane.ideal.point, 3.0))?;
+            plane.compare(&dice::ray(&mut dice, 8.0, plane.ideal.point, 3.0))?;
         }
     }
     Ok(())

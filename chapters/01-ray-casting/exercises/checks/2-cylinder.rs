@@ -2,14 +2,14 @@
 
 use common::{
     Interval, Vec3,
-    exercise::{Diagnosis, Verdict},
+    exercise::{Diagnosis, Verdict, dice::Dice},
 };
 use glam::DVec3;
 use ray_casting::{ray::Ray, shape::Shape};
 
 use super::{
     crossing::{Crossing, Reference, line},
-    dice::Dice,
+    dice,
     judge::{Slack, Trial},
     words,
 };
@@ -116,7 +116,7 @@ pub(crate) fn check<S: Shape>(make: impl Fn(Vec3, f32, f32) -> S) -> Verdict {
     for _ in 0..200 {
         let cylinder = trial(dice.point(2.0), dice.number(0.5, 2.0), dice.number(0.5, 4.0));
         for _ in 0..20 {
-            cylinder.compare(&dice.ray(8.0, cylinder.ideal.base, 2.5))?;
+            cylinder.compare(&dice::ray(&mut dice, 8.0, cylinder.ideal.base, 2.5))?;
         }
     }
     Ok(())

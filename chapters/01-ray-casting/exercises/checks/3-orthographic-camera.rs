@@ -2,13 +2,13 @@
 
 use common::{
     Vec2, Vec3,
-    exercise::{Diagnosis, Finding, Verdict, trying},
+    exercise::{Diagnosis, Finding, Verdict, dice::Dice, trying},
     picture::FilmPoint,
 };
 use glam::DVec3;
 use ray_casting::ray::Ray;
 
-use super::{dice::Dice, words};
+use super::words;
 
 /// The camera as it should be.
 #[derive(Clone, Copy)]

@@ -2,11 +2,11 @@
 
 use common::{
     Rgb, Vec3,
-    exercise::{Diagnosis, Finding, Verdict, trying},
+    exercise::{Diagnosis, Finding, Verdict, dice::Dice, trying},
 };
 use ray_casting::light::{Illumination, Light};
 
-use super::{dice::Dice, words};
+use super::words;
 
 /// The light as it should be.
 #[derive(Clone, Copy)]

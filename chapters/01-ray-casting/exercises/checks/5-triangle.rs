@@ -2,7 +2,7 @@
 
 use common::{
     Interval, Vec3,
-    exercise::{Diagnosis, Finding, Verdict},
+    exercise::{Diagnosis, Finding, Verdict, dice::Dice},
 };
 use glam::DVec3;
 use ray_casting::{
@@ -10,7 +10,7 @@ use ray_casting::{
     triangle::{Triangle, TriangleHit},
 };
 
-use super::{crossing::line, dice::Dice, words};
+use super::{crossing::line, dice, words};
 
 /// Where the line of a ray meets the plane of a triangle.
 struct Meeting {
@@ -126,7 +126,7 @@ pub(crate) fn check(answer: impl Fn(&Triangle, &Ray, Interval) -> Option<Triangl
     for _ in 0..4000 {
         let triangle = Triangle::new(dice.point(3.0), dice.point(3.0), dice.point(3.0));
         let [a, b, c] = triangle.corners;
-        let ray = dice.ray(8.0, (a + b + c) / 3.0, 2.0);
+        let ray = dice::ray(&mut dice, 8.0, (a + b + c) / 3.0, 2.0);
         let speed = ray.direction.normalize().dot(triangle.normal().normalize_or_zero()).abs();
         let edges = [b - a, c - b, a - c].map(Vec3::length);
         let is_sound = triangle.normal().length() > 0.1 * edges.into_iter().fold(0.0, f32::max) && speed > 0.05;

@@ -2,14 +2,14 @@
 
 use common::{
     Interval, Vec3,
-    exercise::{Diagnosis, Verdict},
+    exercise::{Diagnosis, Verdict, dice::Dice},
 };
 use glam::DVec3;
 use ray_casting::{ray::Ray, shape::Shape};
 
 use super::{
     crossing::{Crossing, Reference, line},
-    dice::Dice,
+    dice,
     judge::{Slack, Trial},
     words,
 };
@@ -122,7 +122,7 @@ pub(crate) fn check<S: Shape>(make: impl Fn(Vec3, f32, f32) -> S) -> Verdict {
         let major = dice.number(0.5, 2.0);
         let torus = trial(dice.point(2.0), major, major * dice.choice([0.1, 0.25, 0.5, 0.9]));
         for _ in 0..20 {
-            torus.compare(&dice.ray(6.0, torus.ideal.center, 2.0))?;
+            torus.compare(&dice::ray(&mut dice, 6.0, torus.ideal.center, 2.0))?;
         }
     }
     Ok(())

@@ -22,6 +22,12 @@ pub fn tan(radians: f32) -> f32 {
     libm::tanf(radians)
 }
 
+/// Tangent of an angle in radians, in double precision.
+#[must_use]
+pub fn tan_f64(radians: f64) -> f64 {
+    libm::tan(radians)
+}
+
 /// The angle in radians, in `[0, π]`, whose cosine is `x`; NaN outside `[-1, 1]`.
 #[must_use]
 pub fn acos(x: f32) -> f32 {

@@ -5,6 +5,7 @@
 pub mod branches;
 pub mod fresnel;
 pub mod material;
+pub mod minray;
 pub mod pictures;
 pub mod probe;
 pub mod reflection;

@@ -1,32 +1,10 @@
-//! How fast chapter 1 is: `cargo bench -p ray-casting`. Compare lines of one run only; machines differ.
+//! How fast the shapes of chapter 1 are: `cargo bench -p ray-casting`. Compare lines of one run only; machines differ.
 
 use std::hint::black_box;
 
-use common::{
-    Interval, Stream, Vec3,
-    film::{Film, Size},
-    picture::Settings,
-    renderer::{Plan, render},
-};
+use common::{Interval, Stream, Vec3};
 use criterion::{Criterion, criterion_group, criterion_main};
-use ray_casting::{CHAPTER, ray::Ray, sphere::Sphere, triangle::Triangle, triangle_barycentric::Shear};
-
-/// The cover at 1280×720, one sample a pixel, by one thread and by two.
-fn cover(c: &mut Criterion) {
-    let mut group = c.benchmark_group("cover 1280x720, one sample");
-    group.sample_size(10);
-    let Ok(picture) = (CHAPTER.pictures[0].make)(&Settings::default()) else { return };
-    for threads in [1, 2] {
-        group.bench_function(format!("threads: {threads}"), |b| {
-            b.iter(|| {
-                let mut film = Film::new(Size::of::<1280, 720>());
-                render(picture.as_ref(), &mut film, &Plan { samples: 1, seed: 0, threads }, &());
-                film
-            });
-        });
-    }
-    group.finish();
-}
+use ray_casting::{ray::Ray, sphere::Sphere, triangle::Triangle, triangle_barycentric::Shear};
 
 /// A thousand rays from around a point toward the unit cube.
 fn rays() -> Vec<Ray> {
@@ -75,5 +53,5 @@ fn mesh(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, cover, shapes, mesh);
+criterion_group!(benches, shapes, mesh);
 criterion_main!(benches);

@@ -7,7 +7,7 @@
 /// extinction coefficient behind it: zero for glass and water, above zero for metals. Beyond the critical angle
 /// everything is reflected: 1.
 ///
-/// Source: Born, Wolf, *Principles of Optics*, section 14.2.
+/// Source: Born, Wolf, *Principles of Optics*, chapter 14 (optics of metals).
 #[must_use]
 pub fn exact(cosine: f32, n: f32, kappa: f32) -> f32 {
     if cosine <= 0.0 {
@@ -45,7 +45,7 @@ pub fn at_normal_incidence(n: f32, kappa: f32) -> f32 {
 /// `F0 + (1 − F0)(1 − cos θ)⁵`, which is near Fresnel's equations and needs no square root. At a border of glass and
 /// air θ is the angle in the air, whichever way the light goes.
 ///
-/// Source: Schlick, *An Inexpensive BRDF Model for Physically-based Rendering*, Eurographics 1994, equation 15.
+/// Source: Schlick, *An Inexpensive BRDF Model for Physically-based Rendering*, Computer Graphics Forum 13(3), 1994.
 #[must_use]
 pub fn approximate(cosine: f32, f0: f32) -> f32 {
     let away = (1.0 - cosine).clamp(0.0, 1.0);

@@ -1,7 +1,7 @@
 //! The business card: a whole ray tracer that is small enough to be printed on one.
 //!
-//! Source: Heckbert, *A Minimal Ray Tracer*, Graphics Gems IV, 1994; the contest was announced in 1984. This is a readable
-//! program of our own that computes the same picture, number for number, and so in f64 as the card does.
+//! Source: Heckbert, *A Minimal Ray Tracer*, Graphics Gems IV, 1994. This is a readable program of our own that computes the
+//! same picture, number for number, and so in f64 as the card does.
 
 use std::io::{self, Write};
 

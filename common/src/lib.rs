@@ -8,6 +8,7 @@ pub mod basis;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod color;
+pub mod drawing;
 pub mod error;
 pub mod exercise;
 pub mod film;

@@ -1,7 +1,7 @@
 //! The camera: an eye, and a window through which it looks.
 
 use common::{
-    Vec3, float,
+    Vec2, Vec3, float,
     knob::Values,
     picture::{FilmPoint, PITCH, YAW, ZOOM},
 };
@@ -70,6 +70,22 @@ impl Camera {
     }
     // ANCHOR_END: ray
 
+    /// Where a point in space is seen in the window, the inverse of [`Camera::ray`]: (0, 0) is the middle, and the
+    /// shorter side of the film reaches from −1 to 1. `None` for what is not before the eye.
+    #[must_use]
+    pub fn project(&self, point: Vec3) -> Option<Vec2> {
+        let forward = self.lookat - self.eye;
+        let to_point = point - self.eye;
+        // The window is at depth 1.
+        let depth = to_point.dot(forward) / forward.length_squared();
+        if depth <= 0.0 {
+            return None;
+        }
+        let in_window = to_point / depth;
+        let along = |side: Vec3| in_window.dot(side) / side.length_squared();
+        Some(Vec2::new(along(self.right), along(self.up)))
+    }
+
     /// Where the eye is.
     #[must_use]
     pub fn eye(&self) -> Vec3 {
@@ -94,5 +110,26 @@ impl Camera {
         let up = Vec3::new(-sin * float::sin(around), cos, -sin * float::cos(around));
         let distance = from.length() / values.number(&ZOOM);
         Self::new(lookat + direction * distance, lookat, up, field_of_view)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_is_seen_where_its_ray_goes_through() {
+        let camera = Camera::new(Vec3::new(3.0, 2.0, 7.0), Vec3::new(-1.0, 0.5, 0.0), Vec3::Y, 40.0).unwrap();
+        for size in [Vec2::new(160.0, 90.0), Vec2::new(90.0, 160.0)] {
+            for position in [Vec2::new(3.0, 5.0), Vec2::new(80.0, 45.0), Vec2::new(71.0, 88.0)] {
+                let point = FilmPoint { position, size };
+                let seen = camera.project(camera.ray(point).at(11.0)).unwrap();
+                // The longer side sees more than the square.
+                let expected = point.ndc() * size / size.min_element();
+                assert!((seen - expected).length() < 1e-5, "{seen} {expected}");
+            }
+        }
+        assert_eq!(camera.project(camera.eye()), None);
+        assert_eq!(camera.project(Vec3::new(7.0, 3.5, 14.0)), None);
     }
 }

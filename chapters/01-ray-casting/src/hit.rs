@@ -49,11 +49,13 @@ impl Hit {
     }
     // ANCHOR_END: new
 
+    // ANCHOR: among
     /// The same hit, computed with the coordinates of `point` too: the center of a sphere, the corner of a triangle.
     #[must_use]
     pub fn among(self, point: Vec3) -> Self {
         Self { magnitude: self.magnitude.max(point.abs().max_element()), ..self }
     }
+    // ANCHOR_END: among
 
     // ANCHOR: shading
     /// The same hit with another outward normal for shading (of any length), turned like the geometric one.

@@ -112,6 +112,18 @@ impl Implicit for Quadric {
 }
 // ANCHOR_END: function
 
+impl Quadric {
+    /// A length whose rounding is as great as the error in the place of the surface near `r`: the sum of the function's
+    /// terms without their signs, divided by its slope.
+    ///
+    /// In the tip of a cone there is no slope. Two roots meet there, and half of their digits are left.
+    fn magnitude(&self, r: Vec3) -> f32 {
+        let point = r.abs().extend(1.0);
+        let terms = point.dot(self.q.abs() * point);
+        (terms / self.gradient(r).length()).min(r.length() / f32::EPSILON.sqrt())
+    }
+}
+
 // ANCHOR: intersect
 impl Shape for Quadric {
     fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
@@ -128,7 +140,8 @@ impl Shape for Quadric {
             let visible = range.contains(t) && self.clip.contains(r);
             visible.then(|| {
                 let outward = self.frame.vector_to_world(self.gradient(r));
-                Hit::new(ray, t, outward).among(self.frame.point_to_world(Vec3::ZERO))
+                let hit = Hit::new(ray, t, outward).among(self.frame.point_to_world(Vec3::ZERO));
+                hit.among(Vec3::splat(self.magnitude(r)))
             })
         })
     }

@@ -30,8 +30,10 @@ impl Offset {
     // ANCHOR_END: origin
 }
 
+// ANCHOR: following
 /// The offset that follows, as a share of the hit's magnitude: 16 times the distance from 1 to the next f32.
 pub const FOLLOWING: f32 = 16.0 * f32::EPSILON;
+// ANCHOR_END: following
 
 // ANCHOR: bits
 /// Each coordinate moved by up to 256 of its own smallest steps; near zero, by up to 1/65536 scene units.

@@ -29,14 +29,14 @@ use crate::{
 };
 
 /// A light as numbers only.
-#[derive(Clone, Copy)]
-enum Lamp {
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Lamp {
     Sun { toward: Vec3, strength: Rgb },
     Point { position: Vec3, intensity: Rgb },
 }
 
 impl Lamp {
-    fn random(random: &mut Stream) -> Lamp {
+    pub(crate) fn random(random: &mut Stream) -> Lamp {
         let color = random_color(random) * 3.0;
         match one_of(random, 2) {
             0 => Lamp::Sun { toward: direction(random) * magnitude(random, 0.1, 10.0), strength: color },
@@ -44,7 +44,7 @@ impl Lamp {
         }
     }
 
-    fn shine_on(self, scene: &mut Scene<Phong>) {
+    pub(crate) fn shine_on(self, scene: &mut Scene<Phong>) {
         match self {
             Lamp::Sun { toward, strength } => scene.light(DirectionalLight::new(toward, strength)),
             Lamp::Point { position, intensity } => scene.light(PointLight { position, intensity }),
@@ -63,7 +63,7 @@ impl Lamp {
     }
 }
 
-fn random_color(random: &mut Stream) -> Rgb {
+pub(crate) fn random_color(random: &mut Stream) -> Rgb {
     (in_cube(random) + 1.0) / 2.0
 }
 

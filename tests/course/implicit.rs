@@ -22,7 +22,7 @@ pub(crate) struct Zeros {
     pub(crate) terms: fn(V) -> f64,
     pub(crate) radius: f64,
     /// Step of the march that is judged. It may miss two zeros that are closer together.
-    step: f64,
+    pub(crate) step: f64,
 }
 
 fn tanglecube(V([x, y, z]): V) -> f64 {

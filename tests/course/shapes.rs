@@ -43,6 +43,18 @@ impl Surface {
         V(AXES.map(slope)) * (1.0 / self.size)
     }
 
+    /// The place of its local origin.
+    pub(crate) fn center(&self) -> V {
+        self.center
+    }
+
+    /// The function at a point of the scene; not a number where the surface is cut away.
+    pub(crate) fn value(&self, point: V) -> f64 {
+        let local = self.to_local(point - self.center);
+        let [bottom, top] = self.heights;
+        if (bottom..=top).contains(&local.0[1]) { (self.function)(local) } else { f64::NAN }
+    }
+
     /// The greatest second derivative along an axis.
     pub(crate) fn bend(&self) -> f64 {
         let bend = |axis: V| (self.function)(axis) + (self.function)(-axis) - 2.0 * (self.function)(V::ZERO);
@@ -165,18 +177,28 @@ fn judge(
     Ok(())
 }
 
-/// A random sphere, and its equation |p|² − R² = 0.
+/// A random sphere, and its equation.
 fn random_sphere(random: &mut Stream) -> (Sphere, Surface) {
     let sphere = Sphere::new(in_cube(random) * magnitude(random, 0.01, 100.0), magnitude(random, 0.01, 100.0));
+    (sphere, surface_of(&sphere))
+}
+
+/// The equation |p|² − R² = 0 of a sphere.
+pub(crate) fn surface_of(sphere: &Sphere) -> Surface {
     let radius = f64::from(sphere.radius);
     let function = Box::new(move |p: V| p.dot(p) - radius * radius);
     let heights = [f64::NEG_INFINITY, f64::INFINITY];
-    (sphere, Surface { function, heights, size: radius, center: sphere.center.into(), turns: vec![] })
+    Surface { function, heights, size: radius, center: sphere.center.into(), turns: vec![] }
 }
 
 /// A random quadric of one of the six kinds in a random frame, and its equation from the gallery.
 pub(crate) fn random_quadric(kind: usize, random: &mut Stream) -> (Quadric, Surface) {
-    let mut number = || between(random, 0.3, 2.0);
+    scaled_quadric(kind, 1.0, random)
+}
+
+/// The same, with all lengths multiplied by `scale`.
+pub(crate) fn scaled_quadric(kind: usize, scale: f32, random: &mut Stream) -> (Quadric, Surface) {
+    let mut number = || between(random, 0.3, 2.0) * scale;
     let (p, q, r) = (number(), number(), number());
     let [a, b, c] = [p, q, r].map(f64::from);
     let endless = [f64::NEG_INFINITY, f64::INFINITY];
@@ -217,7 +239,7 @@ pub(crate) fn random_quadric(kind: usize, random: &mut Stream) -> (Quadric, Surf
             )
         }
     };
-    let center = in_cube(random) * 3.0;
+    let center = in_cube(random) * 3.0 * scale;
     let mut frame = Frame::at(center);
     let mut turns = vec![];
     for _ in 0..one_of(random, 3) {

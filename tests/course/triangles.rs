@@ -42,9 +42,14 @@ impl Facet {
         Facet { corners: triangle.corners.map(V::from), way }
     }
 
-    fn normal(&self) -> V {
+    pub(crate) fn normal(&self) -> V {
         let [r1, r2, r3] = self.corners;
         (r2 - r1).cross(r3 - r1)
+    }
+
+    /// How far above the plane of the triangle a point is, on the side that its normal points to.
+    pub(crate) fn height(&self, point: V) -> f64 {
+        (point - self.corners[0]).dot(self.normal().unit())
     }
 
     fn longest_side(&self) -> f64 {

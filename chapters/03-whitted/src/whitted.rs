@@ -5,7 +5,7 @@
 use common::{
     Rgb, Stream,
     picture::{FilmPoint, Integrator},
-    story::{Story, Untold, number, triple},
+    story::{Story, Untold, triple},
 };
 use ray_casting::{
     camera::Camera,
@@ -188,17 +188,19 @@ fn mean(color: Rgb) -> f32 {
 }
 
 fn tell_branch(branch: &Branch, depth: u32) -> String {
-    let kind = match branch.kind {
-        Kind::Camera => "camera ray",
-        Kind::Reflected => "reflected ray",
-        Kind::Refracted => "refracted ray",
-    };
-    format!("depth {depth}: {kind}, carries {} of the whole", triple(branch.share))
+    format!("depth {depth}: {} ray, carries {} of the whole", name(branch.kind), triple(branch.share))
 }
 
 fn tell_cut(branch: &Branch) -> String {
-    let Branch { kind, share, .. } = branch;
-    format!("not followed any more: {kind:?} ray with a share of {}", number(mean(*share)))
+    format!("not followed any more: {} ray that carries {}", name(branch.kind), triple(branch.share))
+}
+
+fn name(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Camera => "camera",
+        Kind::Reflected => "reflected",
+        Kind::Refracted => "refracted",
+    }
 }
 
 // ANCHOR: integrator

@@ -16,7 +16,7 @@ const EPSILON: Knob =
 pub(super) const PICTURE: Picture = Picture {
     name: "acne",
     alt: "A low table with a ball and a cone on it, and five smaller balls in front. All that should be lit is sprinkled \
-          with dark specks and rings: every other shadow ray hits the very surface that it starts from.",
+          with dark specks: about every other shadow ray hits the very surface that it starts from.",
     knobs: &[EPSILON, ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 540>(),
     samples: 4,

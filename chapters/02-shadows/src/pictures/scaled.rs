@@ -38,3 +38,28 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     }
     Ok(Box::new(Panels::new(SCALES.len(), panels)))
 }
+
+#[cfg(test)]
+mod tests {
+    use common::{
+        Stream, Vec2,
+        picture::{FilmPoint, Integrator},
+        story::Untold,
+    };
+
+    use super::*;
+    use crate::direct_light::DirectLight;
+
+    /// A power of two changes no digit of an f32, so nothing may change at all.
+    #[test]
+    fn with_the_following_offset_the_scale_makes_no_difference() {
+        let view = |scale| table(scale, Offset::Following, &Settings::default()).unwrap();
+        let [small, plain, large] = [1.0 / 1024.0, 1.0, 8192.0].map(view);
+        let size = Vec2::new(48.0, 32.0);
+        for (x, y) in (0_u8..32).flat_map(|y| (0_u8..48).map(move |x| (x, y))) {
+            let point = FilmPoint { position: Vec2::new(f32::from(x) + 0.5, f32::from(y) + 0.5), size };
+            let seen = |direct: &DirectLight| direct.radiance(point, &mut Stream::new(0, 0, 0), &mut Untold);
+            assert_eq!((seen(&small), seen(&large)), (seen(&plain), seen(&plain)), "at {x}, {y}");
+        }
+    }
+}

@@ -36,7 +36,7 @@ pub(super) const PICTURE: Picture = Picture {
           without an edge.",
     knobs: &[SUBDIVISIONS, ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 480>(),
-    samples: 16,
+    samples: 8,
     takes_mesh: false,
     make,
 };

@@ -7,6 +7,9 @@ use common::{Rgb, Vec3, story::Story};
 pub trait Probe: Story {
     /// A ray has been followed to its end.
     fn followed(&mut self, _segment: Segment) {}
+
+    /// A ray of this weight is not followed: the background is taken in its place.
+    fn cut(&mut self, _weight: Rgb) {}
 }
 
 /// A ray from its origin to what it hits.

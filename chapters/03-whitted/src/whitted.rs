@@ -126,6 +126,7 @@ impl Whitted {
             for cut in next.iter().flatten().filter(|b| ends(b)) {
                 radiance += cut.share * self.scene.background.radiance(cut.ray.direction);
                 probe.tell(|| tell_cut(cut));
+                probe.cut(cut.share);
             }
             let [reflected, refracted] = next.map(|b| b.filter(|b| !ends(b)));
             let (stronger, weaker) = by_weight(reflected, refracted);

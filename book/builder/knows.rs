@@ -14,8 +14,8 @@ use crate::{
     tokens::{Token, tokens, without_tests},
 };
 
-/// Files at the top of a crate that only put the modules together.
-const GLUE: [&str; 3] = ["lib", "main", "pictures"];
+/// Files and folders at the top of a crate that only put the modules together.
+const GLUE: [&str; 4] = ["lib", "main", "bin", "pictures"];
 
 /// The diagram of a chapter's modules.
 pub(crate) fn block(house: &House, chapter: &str, output: &mut Output) -> Result<Block, String> {

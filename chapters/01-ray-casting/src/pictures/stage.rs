@@ -9,6 +9,7 @@ use common::{
 
 use crate::{
     camera::{Camera, CameraError},
+    frame::Frame,
     light::{DirectionalLight, PointLight},
     material::Phong,
     mesh::{Mesh, Shading},
@@ -49,6 +50,23 @@ pub fn square(y: f32, half: f32) -> Result<Mesh, Error> {
     Mesh::new(&obj, Shading::Flat)
 }
 
+/// A box around the origin of `frame`, reaching `half` to both sides along each axis of the frame.
+///
+/// # Errors
+/// None, since it has triangles.
+pub fn block(frame: Frame, half: Vec3) -> Result<Mesh, Error> {
+    /// The corners of each face, counter-clockwise from outside. A corner's bits say on which side of x, y, z it lies.
+    const FACES: [[u32; 4]; 6] = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+    let side = |corner: u32, bit: u32| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
+    let corner = |i| frame.point_to_world(half * Vec3::new(side(i, 0), side(i, 1), side(i, 2)));
+    let obj = ObjMesh {
+        positions: (0..8).map(corner).collect(),
+        triangles: FACES.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect(),
+        ..ObjMesh::default()
+    };
+    Mesh::new(&obj, Shading::Flat)
+}
+
 /// The crystals of `assets/gem.obj`, 1 unit high, scaled and put at `place`.
 pub fn crystals(place: Vec3, scale: f32) -> Result<Mesh, Error> {
     let mut obj = asset("assets/gem.obj", include_bytes!("../../../../assets/gem.obj"))?;
@@ -75,4 +93,24 @@ pub fn camera(eye: [f32; 3], lookat: [f32; 3], field_of_view: f32, values: &Valu
 /// A camera that cannot be made, as an error of the picture.
 pub fn camera_error(error: CameraError) -> Error {
     Error::Picture(error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use common::Interval;
+
+    use super::*;
+    use crate::{hit::Side, ray::Ray, shape::Shape};
+
+    #[test]
+    fn every_face_of_a_block_looks_outward() {
+        let block = block(Frame::at(Vec3::splat(3.0)), Vec3::new(1.0, 2.0, 3.0)).unwrap();
+        for axis in Vec3::AXES {
+            for toward in [axis, -axis] {
+                let ray = Ray::new(Vec3::splat(3.0) - toward * 10.0 + Vec3::splat(0.1), toward);
+                let hit = block.intersect(&ray, Interval::POSITIVE).unwrap();
+                assert_eq!((hit.geometric_normal, hit.side), (-toward, Side::Outside));
+            }
+        }
+    }
 }

@@ -11,13 +11,13 @@ use ray_casting::{
     frame::Frame,
     light::{Illumination, Light, PointLight},
     material::Phong,
-    pictures::stage::{camera, square},
+    pictures::stage::{block, camera, square},
     quadric::Quadric,
     scene::Scene,
     sphere::Sphere,
 };
 
-use super::props::{Glowing, Mark, block};
+use super::props::{Glowing, Mark};
 use crate::{direct_light::DirectLight, offset::Offset};
 
 const BUG: Knob = Knob::choice(

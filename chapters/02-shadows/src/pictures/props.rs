@@ -1,34 +1,13 @@
 //! Things and means that several pictures share.
 
 use common::{
-    Error, Interval, Rgb, Stream, Vec3,
-    obj::ObjMesh,
+    Interval, Rgb, Stream, Vec3,
     picture::{FilmPoint, Integrator},
     story::{Story, triple},
 };
-use ray_casting::{
-    frame::Frame,
-    light::PointLight,
-    local_illumination::tell_ray,
-    mesh::{Mesh, Shading},
-    ray::Ray,
-};
+use ray_casting::{light::PointLight, local_illumination::tell_ray, ray::Ray};
 
 use crate::direct_light::DirectLight;
-
-/// A box around the origin of `frame`, reaching `half` to both sides along each axis of the frame.
-pub(super) fn block(frame: Frame, half: Vec3) -> Result<Mesh, Error> {
-    /// The corners of each face, counter-clockwise from outside. A corner's bits say on which side of x, y, z it lies.
-    const FACES: [[u32; 4]; 6] = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
-    let side = |corner: u32, bit: u32| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
-    let corner = |i| frame.point_to_world(half * Vec3::new(side(i, 0), side(i, 1), side(i, 2)));
-    let obj = ObjMesh {
-        positions: (0..8).map(corner).collect(),
-        triangles: FACES.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect(),
-        ..ObjMesh::default()
-    };
-    Mesh::new(&obj, Shading::Flat)
-}
 
 /// A glowing line that only the camera sees: it neither lights anything nor casts a shadow.
 pub(super) struct Mark {
@@ -88,19 +67,6 @@ impl Integrator for Glowing {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ray_casting::{hit::Side, shape::Shape};
-
-    #[test]
-    fn every_face_of_a_block_looks_outward() {
-        let block = block(Frame::at(Vec3::splat(3.0)), Vec3::new(1.0, 2.0, 3.0)).unwrap();
-        for axis in Vec3::AXES {
-            for toward in [axis, -axis] {
-                let ray = Ray::new(Vec3::splat(3.0) - toward * 10.0 + Vec3::splat(0.1), toward);
-                let hit = block.intersect(&ray, Interval::POSITIVE).unwrap();
-                assert_eq!((hit.geometric_normal, hit.side), (-toward, Side::Outside));
-            }
-        }
-    }
 
     #[test]
     fn a_mark_is_brightest_in_its_middle_and_hidden_by_what_is_in_front() {

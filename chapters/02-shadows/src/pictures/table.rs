@@ -5,13 +5,12 @@ use ray_casting::{
     frame::Frame,
     light::PointLight,
     material::Phong,
-    pictures::stage::{camera, square},
+    pictures::stage::{block, camera, square},
     quadric::Quadric,
     scene::Scene,
     sphere::Sphere,
 };
 
-use super::props::block;
 use crate::{direct_light::DirectLight, offset::Offset};
 
 // ANCHOR: scaled

@@ -7,12 +7,19 @@ use common::{
     picture::{ORBIT, Picture, Render, Settings},
 };
 use ray_casting::{
-    hit::Hit, light::PointLight, material::Phong, pictures::stage::camera, ray::Ray, scene::Scene, shape::Shape,
+    frame::Frame,
+    hit::Hit,
+    light::PointLight,
+    material::Phong,
+    pictures::stage::{block, camera},
+    ray::Ray,
+    scene::Scene,
+    shape::Shape,
     sphere::Sphere,
 };
 use whitted::material::Material;
 
-use super::studio::{self, Make, Studio, block, view};
+use super::studio::{self, Make, Studio, view};
 
 const SIZE: Knob = Knob::number("size", "width of a cube", [0.05, 2.0], 1.0, "units", Step::Times(1.1));
 
@@ -64,7 +71,7 @@ pub(crate) fn make(settings: &Settings, is_dark_at: fn(&Hit, f32) -> bool) -> Re
     let coated = |red, green, blue| Material::coated(Phong::of(srgb(red, green, blue), 0.0, 1.0), 1.5);
     let rough = |red, green, blue| Material::rough(Phong::of(srgb(red, green, blue), 0.25, 40.0));
     for (dark, stone) in [(true, coated(24, 62, 50)), (false, coated(236, 226, 200))] {
-        let shape = block([-4.0, -1.0, -4.0], [4.0, 0.0, 4.0])?;
+        let shape = block(Frame::at(Vec3::Y * -0.5), Vec3::new(4.0, 0.5, 4.0))?;
         scene.add("board", Part { shape, size: scale, is_dark_at, dark }, stone);
     }
     for (center, radius, size, dark, light) in [

@@ -7,11 +7,17 @@ use common::{
     picture::{ORBIT, Picture, Render, Settings},
 };
 use ray_casting::{
-    light::DirectionalLight, material::Phong, pictures::stage::camera, scene::Scene, shape::Shape, sphere::Sphere,
+    frame::Frame,
+    light::DirectionalLight,
+    material::Phong,
+    pictures::stage::{block, camera},
+    scene::Scene,
+    shape::Shape,
+    sphere::Sphere,
 };
 use whitted::material::Material;
 
-use super::studio::{self, Make, Studio, block};
+use super::studio::{self, Make, Studio};
 use crate::checks::{
     absorption::{Answer, Glass},
     tracer::Tracer,
@@ -45,7 +51,7 @@ pub(crate) fn make(settings: &Settings, answer: Answer) -> Result<Box<dyn Render
     scene.light(DirectionalLight::new(Vec3::new(-0.55, 0.9, -0.62), Rgb::new(2.1, 2.0, 1.85)));
     let white = Material::rough(Phong::of(srgb(236, 234, 230), 0.0, 1.0));
     let table = Glass { surface: white, absorption: Rgb::ZERO };
-    scene.add("table", block([-60.0, -1.0, -60.0], [60.0, 0.0, 60.0])?, table);
+    scene.add("table", block(Frame::at(Vec3::Y * -0.5), Vec3::new(60.0, 0.5, 60.0))?, table);
     let mut add = |shape: Box<dyn Shape>, glass| {
         scene.objects.push(ray_casting::scene::Object { name: "glass", shape, material: glass });
     };

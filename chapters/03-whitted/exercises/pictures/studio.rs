@@ -89,16 +89,6 @@ impl Shape for Ground {
     }
 }
 
-/// The block between two corners, its faces turned outward.
-pub(super) fn block(min: [f32; 3], max: [f32; 3]) -> Result<Mesh, Error> {
-    let corner = |i: usize| {
-        let choose = |axis: usize| if i >> axis & 1 == 0 { min[axis] } else { max[axis] };
-        Vec3::new(choose(0), choose(1), choose(2))
-    };
-    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    solid((0..8).map(corner).collect(), &faces.map(|face| face.to_vec()))
-}
-
 /// A solid with flat faces, each given by its corners in order, counterclockwise as seen from outside.
 pub(super) fn solid(positions: Vec<Vec3>, faces: &[Vec<u32>]) -> Result<Mesh, Error> {
     // A face is a fan of triangles around its first corner.

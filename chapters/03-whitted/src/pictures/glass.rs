@@ -3,15 +3,9 @@
 use common::{
     Error, Vec3,
     film::Size,
-    obj::ObjMesh,
     picture::{ORBIT, Panels, Picture, Render, Settings},
 };
-use ray_casting::{
-    mesh::{Mesh, Shading},
-    pictures::stage,
-    scene::Scene,
-    sphere::Sphere,
-};
+use ray_casting::{frame::Frame, pictures::stage, scene::Scene, sphere::Sphere};
 
 use super::studio::{DEPTH, limits, paper, pencils, seen};
 use crate::{material::Material, whitted::Whitted};
@@ -75,7 +69,8 @@ fn hollow(scene: &mut Scene<Material>) -> Result<(), Error> {
 
 /// A block of water with bubbles of air in it.
 fn bubbles(scene: &mut Scene<Material>) -> Result<(), Error> {
-    scene.add("water", block(Vec3::new(-0.86, 0.02, -0.5), Vec3::new(0.86, 1.75, 0.5))?, Material::glass(WATER));
+    let (center, half) = (Vec3::new(0.0, 0.885, 0.0), Vec3::new(0.86, 0.865, 0.5));
+    scene.add("water", stage::block(Frame::at(center), half)?, Material::glass(WATER));
     for (x, y, z, radius) in
         [(0.0, 0.85, 0.0, 0.5), (-0.58, 1.35, 0.1, 0.14), (0.6, 0.45, 0.2, 0.11), (0.5, 1.45, -0.1, 0.08)]
     {
@@ -84,19 +79,3 @@ fn bubbles(scene: &mut Scene<Material>) -> Result<(), Error> {
     Ok(())
 }
 // ANCHOR_END: things
-
-/// An upright block between two opposite corners.
-fn block(min: Vec3, max: Vec3) -> Result<Mesh, Error> {
-    let corner = |i: u8| {
-        let choose = |bit: u8, min, max| if i & bit == 0 { min } else { max };
-        Vec3::new(choose(1, min.x, max.x), choose(2, min.y, max.y), choose(4, min.z, max.z))
-    };
-    // Each face with its corners counter-clockwise as seen from outside.
-    let faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
-    let obj = ObjMesh {
-        positions: (0..8).map(corner).collect(),
-        triangles: faces.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect(),
-        ..ObjMesh::default()
-    };
-    Mesh::new(&obj, Shading::Flat)
-}

@@ -22,6 +22,7 @@ mod pictures;
 mod rays;
 mod recursion;
 mod refraction;
+mod said_commands;
 mod shadows;
 mod shapes;
 mod stories;

@@ -12,7 +12,7 @@ use whitted::{CHAPTER, branches::Branch, probe::RayTree, whitted::Terms};
 use crate::{
     mirrors::whitted,
     rays::{aimed, direction, in_cube},
-    recursion::random_scene,
+    trees::random_scene,
 };
 
 /// Whether the parts add up to the sum, but for the rounding of some additions.

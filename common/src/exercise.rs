@@ -3,15 +3,22 @@
 //! An exercise is a stub, a check and a solution with the same signatures. The check is told what the student has
 //! written, tries it, and either accepts it or names the likely mistake.
 
-use std::{cell::RefCell, fmt, thread};
+use std::fmt;
 
 pub mod dice;
 #[cfg(feature = "cli")]
+mod judge;
+#[cfg(feature = "cli")]
+mod panic;
+#[cfg(feature = "cli")]
 mod run;
+#[cfg_attr(not(feature = "cli"), allow(dead_code, reason = "only the program of an exercise asks what was tried"))]
+mod trial;
 pub mod words;
 
 #[cfg(feature = "cli")]
 pub use run::main;
+pub use trial::trying;
 
 /// The likely mistake in a student's answer.
 ///
@@ -63,25 +70,6 @@ pub type Verdict = Result<(), Diagnosis>;
 /// The diagnosis, with the message that `message` makes.
 pub fn expect(right: bool, name: &'static str, message: impl FnOnce() -> String) -> Verdict {
     if right { Ok(()) } else { Err(Diagnosis::new(name, message())) }
-}
-
-thread_local! {
-    /// What was tried when the answer panicked in this thread.
-    static TRIED: RefCell<Option<String>> = const { RefCell::new(None) };
-}
-
-/// Do something with a student's answer. Should it panic, `what` says what was tried.
-pub fn trying<T>(what: impl Fn() -> String, act: impl FnOnce() -> T) -> T {
-    struct Note<F: Fn() -> String>(F);
-    impl<F: Fn() -> String> Drop for Note<F> {
-        fn drop(&mut self) {
-            if thread::panicking() {
-                TRIED.set(Some((self.0)()));
-            }
-        }
-    }
-    let _note = Note(what);
-    act()
 }
 
 /// What a check has found out, in the four parts that every message has.
@@ -177,13 +165,6 @@ mod tests {
         // A word that is too long stands alone, and a point stays whole.
         assert_eq!(paragraph("", &"x".repeat(200)).len(), 200);
         assert_eq!(words("from (1, 2, 3) on"), ["from", "(1, 2, 3)", "on"]);
-    }
-
-    #[test]
-    fn what_was_tried_is_noted_only_when_it_panics() {
-        assert_eq!(trying(|| unreachable!(), || 1), 1);
-        assert!(std::panic::catch_unwind(|| trying(|| "a ray".into(), || assert_eq!(1, 2))).is_err());
-        assert_eq!(TRIED.take().as_deref(), Some("a ray"));
     }
 
     #[test]

@@ -1,19 +1,9 @@
 //! The program of an exercise: check the answer, and show its picture once it is accepted.
 
-use std::{
-    ffi::OsString,
-    panic::{self, PanicHookInfo},
-    process::ExitCode,
-    sync::mpsc::{self, RecvTimeoutError},
-    thread,
-    time::Duration,
-};
+use std::{ffi::OsString, process::ExitCode};
 
-use super::{Diagnosis, Finding, TRIED, Verdict};
+use super::{Diagnosis, Verdict, judge::judge};
 use crate::{cli, output, picture::Chapter};
-
-/// How long an answer may take before it counts as an endless loop. Every check takes less than a second.
-const PATIENCE: Duration = Duration::from_secs(20);
 
 /// All that the `main` of an exercise does: check the answer, then render the picture of `chapter`, whose name begins
 /// with the exercise's number.
@@ -56,55 +46,6 @@ pub fn main(check: fn() -> Verdict, chapter: &Chapter) -> ExitCode {
 
 fn is_check(arguments: &[OsString]) -> bool {
     matches!(arguments, [only] if only.as_os_str() == "--check")
-}
-
-/// The verdict of a check; a panic in the answer or an endless loop is a diagnosis too.
-fn judge(check: fn() -> Verdict) -> Verdict {
-    let (panicked, panics) = mpsc::channel();
-    panic::set_hook(Box::new(move |panic| {
-        // Nobody listens any more only after the verdict is known.
-        let _ = panicked.send(place_and_words(panic));
-    }));
-    let (verdict, verdicts) = mpsc::channel();
-    thread::spawn(move || {
-        let judged = panic::catch_unwind(check).unwrap_or_else(|_| {
-            let what = panics.try_iter().last().unwrap_or_default();
-            Err(gave_up(TRIED.take(), &what))
-        });
-        verdict.send(judged)
-    });
-    let verdict = verdicts.recv_timeout(PATIENCE).unwrap_or_else(|error| {
-        let what = match error {
-            RecvTimeoutError::Timeout => format!("no answer after {} seconds", PATIENCE.as_secs()),
-            RecvTimeoutError::Disconnected => "the check ended without a verdict".into(),
-        };
-        Err(Diagnosis::new("endless", format!("There was {what}. Is there a loop that never ends?")))
-    });
-    drop(panic::take_hook());
-    verdict
-}
-
-/// Where there was a panic, and what it said.
-fn place_and_words(panic: &PanicHookInfo<'_>) -> String {
-    let place = panic.location().map_or_else(|| "an unknown place".into(), ToString::to_string);
-    let payload = panic.payload();
-    let words =
-        payload.downcast_ref::<&str>().copied().or_else(|| payload.downcast_ref::<String>().map(String::as_str));
-    format!("{place}: {}", words.unwrap_or("no words"))
-}
-
-/// The diagnosis for an answer that panics.
-fn gave_up(tried: Option<String>, what: &str) -> Diagnosis {
-    const NAME: &str = "panicked";
-    const ADVICE: &str = "Your code panicked, in the file and line above. This happens, for instance, by `unwrap` where there is nothing, \
-                          by an index outside of an array, and by `todo!`.";
-    match tried {
-        Some(tried) => {
-            let (got, expected) = (format!("a panic at {what}"), "an answer without a panic".into());
-            Finding { tried, got, expected, advice: ADVICE.into() }.named(NAME)
-        }
-        None => Diagnosis::new(NAME, format!("There was a panic at {what}\n\n{ADVICE}")),
-    }
 }
 
 /// What to say when the answer is not accepted.
@@ -159,20 +100,5 @@ fn print(text: &str, code: ExitCode) -> ExitCode {
             cli::say(&format!("error: {error}"));
             ExitCode::FAILURE
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_panic_is_a_diagnosis_with_what_was_tried() {
-        let told = gave_up(Some("a ray".into()), "cube.rs:3:4: none");
-        assert_eq!(told.name, "panicked");
-        assert!(told.message.starts_with("Tried:    a ray\nGot:      a panic at cube.rs:3:4: none\n"), "{told}");
-        assert!(
-            gave_up(None, "cube.rs:3:4: none").message.starts_with("There was a panic at cube.rs:3:4: none\n\nYour")
-        );
     }
 }

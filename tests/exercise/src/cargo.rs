@@ -3,13 +3,12 @@
 use std::{
     env,
     ffi::OsString,
-    io::{self, Read},
     path::Path,
-    process::{Command, Output, Stdio},
+    process::{Command, ExitStatus, Stdio},
     thread,
 };
 
-use crate::{Failure, exercise::Exercise, progress, terminal};
+use crate::{Failure, crash::Ending, exercise::Exercise, progress, said::Said, terminal};
 
 /// How far an answer is.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -59,51 +58,34 @@ pub(crate) struct Outcome {
     pub(crate) state: State,
     /// What it has printed by itself, ready to be shown; often nothing.
     pub(crate) printed: String,
+    /// How many lines that was.
+    pub(crate) lines: usize,
 }
 
 impl Outcome {
-    /// What the program of an exercise has said when it was run with `--check`. `how` says how it ended.
+    /// What the program of an exercise has said when it was run with `--check`. `code` and `words` say how it ended.
     ///
     /// On standard output there is what the answer prints, then `verdict: NAME`, the message, and `verdict ends`. On
     /// standard error there is what the compiler says, then `check begins`, and what the answer writes there.
-    fn told(stdout: &str, stderr: &str, how: &str) -> Self {
-        let (stdout, stderr) = (stdout.replace("\r\n", "\n"), stderr.replace("\r\n", "\n"));
+    fn told(stdout: Said, stderr: Said, code: Option<i32>, words: &str) -> Self {
         // A line begins behind the end of another one. The last such line counts: an answer may print anything before.
-        let stdout = format!("\n{stdout}");
-        let (printed, verdict) = stdout.rsplit_once("\nverdict: ").unwrap_or((&stdout, ""));
+        let text = format!("\n{}", stdout.end);
+        let (printed, verdict) = text.rsplit_once("\nverdict: ").unwrap_or((&text, ""));
         let verdict = verdict.split_once("\nverdict ends\n").map_or(verdict, |(verdict, _)| verdict);
-        let written = stderr.split_once("check begins\n").map_or(&*stderr, |(_, written)| written);
+        let written = stderr.end.split_once("check begins\n").map_or(&*stderr.end, |(_, written)| written);
         let state = State::told(&format!("{verdict}\n")).filter(|_| !verdict.is_empty());
+        let [printed, written] =
+            [(printed, stdout.before), (written, stderr.before)].map(|(end, before)| Said { end: end.into(), before });
         Self {
             state: state.unwrap_or_else(|| State::NotRight {
                 name: "crashed".into(),
-                message: format!(
-                    "Your program ended without an answer: {how}.\n\n\
-                     Does a function call itself without end? That uses up the stack."
-                ),
+                message: Ending { code, words, written: &written.end }.cause(),
             }),
-            printed: last_lines("Your program printed", printed)
-                + &last_lines("Your program wrote on standard error", written),
+            printed: printed.last_lines("Your program printed")
+                + &written.last_lines("Your program wrote on standard error"),
+            lines: printed.lines() + written.lines(),
         }
     }
-}
-
-/// The last lines of what a program has said, under a heading; nothing if it has said nothing.
-pub(crate) fn last_lines(heading: &str, text: &str) -> String {
-    const LINES: usize = 20;
-    const WIDTH: usize = 200;
-    let text = text.trim_matches('\n').trim_end();
-    let count = text.lines().count();
-    let mut shown = match count {
-        0 => return String::new(),
-        1..=LINES => format!("{heading}:\n"),
-        _ => format!("{heading}, the last {LINES} lines:\n"),
-    };
-    for line in text.lines().skip(count.saturating_sub(LINES)) {
-        let end = line.char_indices().nth(WIDTH).map(|(end, _)| end);
-        shown += &end.map_or_else(|| format!("  {line}\n"), |end| format!("  {} …\n", &line[..end]));
-    }
-    shown
 }
 
 /// Whether the compiler's messages are wanted.
@@ -143,40 +125,34 @@ pub(crate) fn check(root: &Path, exercise: &Exercise, example: &str, messages: M
 /// Check one example of an exercise.
 pub(crate) fn try_out(root: &Path, exercise: &Exercise, example: &str, messages: Messages) -> Result<Outcome, Failure> {
     if !build(root, &exercise.package, &[example.to_owned()], messages)? {
-        return Ok(Outcome { state: State::DoesNotCompile, printed: String::new() });
+        return Ok(Outcome { state: State::DoesNotCompile, printed: String::new(), lines: 0 });
     }
-    let Output { stdout, stderr, status } = run(root, exercise, example, &["--check"])?;
-    let [stdout, stderr] = [&stdout, &stderr].map(|bytes| String::from_utf8_lossy(bytes));
-    Ok(Outcome::told(&stdout, &stderr, &status.to_string()))
+    let Run { stdout, stderr, status } = run(root, exercise, example, &["--check"])?;
+    Ok(Outcome::told(stdout, stderr, status.code(), &status.to_string()))
+}
+
+/// What a program has said, and how it ended.
+pub(crate) struct Run {
+    /// On standard output.
+    pub(crate) stdout: Said,
+    /// On standard error.
+    pub(crate) stderr: Said,
+    /// Its end.
+    pub(crate) status: ExitStatus,
 }
 
 /// Run an example that is built already, and catch what it says.
-pub(crate) fn run(root: &Path, exercise: &Exercise, example: &str, arguments: &[&str]) -> Result<Output, Failure> {
+pub(crate) fn run(root: &Path, exercise: &Exercise, example: &str, arguments: &[&str]) -> Result<Run, Failure> {
     let mut command = command(root);
     command.args(["run", "--quiet", "--package", &exercise.package, "--example", example, "--"]).args(arguments);
+    // Of a panic, its place and its words are shown. The calls that led there would hide them.
+    command.env("RUST_BACKTRACE", "0");
     let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().map_err(no_cargo)?;
     // Both at once, so that neither waits for the other.
-    let stderr = child.stderr.take().map(|pipe| thread::spawn(|| end_of(pipe)));
-    let stdout = child.stdout.take().map(end_of).unwrap_or_default();
+    let stderr = child.stderr.take().map(|pipe| thread::spawn(|| Said::read(pipe)));
+    let stdout = child.stdout.take().map(Said::read).unwrap_or_default();
     let stderr = stderr.and_then(|reader| reader.join().ok()).unwrap_or_default();
-    Ok(Output { status: child.wait().map_err(no_cargo)?, stdout, stderr })
-}
-
-/// What comes last from a pipe: an endless loop that prints must not fill the memory.
-fn end_of(mut pipe: impl Read) -> Vec<u8> {
-    const KEPT: usize = 1 << 20;
-    let (mut all, mut part) = (Vec::new(), [0; 1 << 14]);
-    loop {
-        match pipe.read(&mut part) {
-            Ok(0) => return all,
-            Ok(count) => all.extend_from_slice(&part[..count]),
-            Err(e) if e.kind() == io::ErrorKind::Interrupted => {}
-            Err(_) => return all,
-        }
-        if all.len() > 2 * KEPT {
-            all.drain(..all.len() - KEPT);
-        }
-    }
+    Ok(Run { status: child.wait().map_err(no_cargo)?, stdout, stderr })
 }
 
 /// Cargo, in the workspace's folder, by the name under which it runs us.
@@ -193,9 +169,10 @@ fn no_cargo(error: std::io::Error) -> Failure {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::said::tests::said;
 
     fn told(stdout: &str, stderr: &str) -> (State, String) {
-        let Outcome { state, printed } = Outcome::told(stdout, stderr, "exit status: 1");
+        let Outcome { state, printed, .. } = Outcome::told(said(stdout), said(stderr), Some(1), "exit status: 1");
         (state, printed)
     }
 
@@ -217,33 +194,20 @@ mod tests {
     }
 
     #[test]
-    fn of_very_much_only_the_end_is_kept() {
-        let much = io::repeat(b'x').take(5 << 20).chain(&b"end"[..]);
-        let kept = end_of(much);
-        assert!(kept.ends_with(b"xend") && kept.len() < 3 << 20);
-        assert_eq!(end_of(&b"little"[..]), b"little");
+    fn the_lines_that_an_answer_prints_are_counted() {
+        let (stdout, stderr) = ("t = 1\nt = 2\n\nverdict: accepted\nverdict ends\n", "check begins\nt = 3\n");
+        assert_eq!(Outcome::told(said(stdout), said(stderr), Some(0), "").lines, 3);
+        let silent = "\nverdict: accepted\nverdict ends\n";
+        assert_eq!(Outcome::told(said(silent), said("check begins\n"), Some(0), "").lines, 0);
     }
 
     #[test]
     fn no_verdict_is_a_crash() {
-        for (stdout, stderr) in [("", ""), ("something else\n", "check begins\nstack overflow\n")] {
+        for (stdout, stderr) in [("", ""), ("something else\n", "check begins\nan error\n")] {
             let (state, printed) = told(stdout, stderr);
             let State::NotRight { name, message } = state else { panic!("{state:?}") };
             assert!(name == "crashed" && message.contains("exit status: 1"), "{message}");
-            assert_eq!(printed.contains("  stack overflow\n"), !stderr.is_empty());
+            assert_eq!(printed.contains("  an error\n"), !stderr.is_empty());
         }
-    }
-
-    #[test]
-    fn only_the_last_lines_are_shown() {
-        let many: String = (1..=50).map(|i| format!("line {i}\n")).collect();
-        let shown = last_lines("It printed", &many);
-        assert!(shown.starts_with("It printed, the last 20 lines:\n  line 31\n"), "{shown}");
-        assert!(shown.ends_with("  line 50\n"));
-        assert_eq!(
-            last_lines("It printed", &"x".repeat(500)).lines().nth(1).map(|line| line.chars().count()),
-            Some(204)
-        );
-        assert_eq!(last_lines("It printed", " \n\n"), "");
     }
 }

@@ -4,6 +4,7 @@
 mod answer;
 mod arguments;
 mod cargo;
+mod crash;
 mod discovery;
 mod exercise;
 mod hints;
@@ -11,6 +12,7 @@ mod list;
 mod progress;
 mod prove;
 mod reset;
+mod said;
 mod solution;
 mod stub;
 mod terminal;

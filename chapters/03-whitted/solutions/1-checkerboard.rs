@@ -19,16 +19,16 @@
 //! - `is_dark` answers for a point anywhere in space, also at negative coordinates: there, too, each cube is `size` scene
 //!   units wide, and neighbors differ. By the formula, a border belongs to the cube on the side of the greater coordinate;
 //!   the check asks away from borders.
-//! - Points may be as far away as an f32 can say. So far away that an f32 has no fractions any more, any answer is right,
-//!   but it must be an answer and not a panic.
+//! - Points may be a million cubes away from the origin, and more never come. That is more than an `i16` can count.
 //! - `is_dark_at` answers for a hit on a thing carved out of the block. A floor at y = 0 lies in the border between two
 //!   layers of cubes, and rounding would decide which of them is seen: noise. So ask a thousandth of a cube's size behind
-//!   the surface, as the ray sees it: on the side away from `hit.geometric_normal`, which faces the ray.
+//!   the surface, as the ray sees it: straight away from `hit.geometric_normal`, which faces the ray and may have any
+//!   direction.
 //!
 //! ## When you are done
 //!
-//! `cargo exercise 3.1` checks your texture and renders a floor and balls carved out of such blocks, of stone, gold and
-//! silver.
+//! `cargo exercise 3.1` checks your texture and renders a board and three balls carved out of such blocks: the board of two
+//! kinds of stone, the balls of gold and silver, of two kinds of wood, and of porcelain. A fourth ball is a plain mirror.
 
 use std::process::ExitCode;
 

@@ -13,9 +13,17 @@
 //!
 //! ## Your task
 //!
-//! Fill in the two functions below. `chapters/03-whitted/src/branches.rs` does the same without dispersion; its helpers are
-//! yours to use, `reflect`, `refract`, `fresnel::exact` and `Offset::Following`. Leave `branches` itself alone: it takes the
-//! index of one channel for all three.
+//! Fill in the two functions below. `chapters/03-whitted/src/branches.rs` does the same without dispersion. Its helpers are
+//! yours to use:
+//!
+//! ```text
+//! use common::Interval;
+//! use shadows::offset::Offset;
+//! use whitted::{fresnel::exact, probe::Kind, reflection::reflect, refraction::refract};
+//! ```
+//!
+//! Leave its `branches` alone: it takes the index of one channel for all three. You need not treat equal media apart as it
+//! does, because here every index is above 1. Clear glass has no extinction: `kappa` is 0.
 //!
 //! - `cauchy` takes A, B in µm², and the wavelength in **nanometers**, as is usual for light. 1 µm is 1000 nm.
 //! - `branches` takes the index of the glass, relative to the air around it, for each channel. From `Side::Inside` the
@@ -25,12 +33,14 @@
 //!   other two it is zero.
 //! - Each channel meets its own critical angle. Where total reflection befalls one, there is no refracted ray for it, and F is
 //!   1. The others may still get out.
-//! - Rays have unit directions, use `hit.shading_normal`, start at `Offset::Following.origin(…)` on the side of
-//!   `hit.geometric_normal` they belong to, and count from `Interval::POSITIVE`. Their order does not matter.
+//! - Directions and F come from `hit.shading_normal`. It faces the ray, as `hit.geometric_normal` does, whichever side was
+//!   hit. Directions have unit length.
+//! - Rays start at `Offset::Following.origin(…)`, on the side of `hit.geometric_normal` they belong to, and their range is
+//!   `Interval::POSITIVE`. Their order does not matter.
 //!
 //! ## When you are done
 //!
-//! `cargo exercise 3.3` checks your dispersion and renders a cut diamond and a prism of flint glass.
+//! `cargo exercise 3.3` checks your dispersion and renders a cut diamond, and a ball and a prism of flint glass.
 
 use std::process::ExitCode;
 

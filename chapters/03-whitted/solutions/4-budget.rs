@@ -16,10 +16,19 @@
 //!
 //! Fill in `trace` below. The world gives you two functions:
 //!
-//! - `world.follow(&branch)` follows a ray, which takes 1 of the budget. The answer is a `Surface`: `radiance` comes from
-//!   there without any further ray, be it direct light or, where nothing is hit, the background. `next` has the rays that are
-//!   caused, at most two. The `share` of each is the part of **its** radiance that goes on along the ray you have followed.
+//! ```text
+//! fn follow(&self, branch: &Branch) -> Surface;
+//! fn background(&self, branch: &Branch) -> Rgb;
+//!
+//! struct Surface { radiance: Rgb, next: [Option<Branch>; 2] }
+//! ```
+//!
+//! - `world.follow(&branch)` follows a ray, which takes 1 of the budget. `radiance` comes from what it hits without any further
+//!   ray, be it direct light or, where nothing is hit, the background. `next` has the rays that are caused. The `share` of each
+//!   is the part of **its** radiance that goes on along the ray you have followed.
 //! - `world.background(&branch)` is the guess for a ray that is not followed. It takes nothing of the budget.
+//!
+//! Neither of them looks at `branch.share`: you may keep there what helps you.
 //!
 //! What `trace` must do:
 //!
@@ -27,7 +36,8 @@
 //! - Follow the ray next that has the greatest contribution: the mean of the three channels of its share of the whole.
 //! - The result is the sum, over all rays that were followed, of their share of the whole times `radiance`, and over those that
 //!   still wait in the end, of their share of the whole times `background`. The camera ray's share is `camera_ray.share`.
-//! - A ray whose share of the whole is zero in all channels is not worth following.
+//! - A ray whose share of the whole is zero in all three channels is not worth following. Any other ray is, however small its
+//!   share, and if only one channel is above zero.
 //! - The budget may be 20,000, and the rays may lie one behind the other: do not call `trace` from `trace`. Searching a list for
 //!   the greatest share is right too, only slower than a heap.
 //!

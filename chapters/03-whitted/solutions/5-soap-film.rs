@@ -28,7 +28,8 @@
 //!   nanometers. `cosine` is cos θ, above 0 and up to 1. Without thickness, nothing is reflected.
 //! - `branches` sends on two rays, whichever side of the film was hit: the reflected one, with the given color as its share, and
 //!   one that goes straight on with the rest, of `Kind::Refracted`. The film is so thin that it bends no ray: go on with the
-//!   same ray and let hits count from `hit.t` on.
+//!   same ray and let hits count from `hit.t` on. (A new ray of that direction that starts behind the film, at the same offset
+//!   against the normal, is as good.)
 //! - The reflected ray is like that of `chapters/03-whitted/src/branches.rs`: `reflect` at the shading normal, from
 //!   `Offset::Following.origin(hit, hit.geometric_normal)`, in the range `Interval::POSITIVE`.
 //!

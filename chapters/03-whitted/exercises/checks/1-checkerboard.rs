@@ -8,6 +8,7 @@ use ray_casting::{
     hit::{Hit, Side},
     ray::Ray,
 };
+use shadows::offset::Offset;
 
 use super::words;
 
@@ -72,21 +73,29 @@ pub(crate) fn check(answer: Answer) -> Verdict {
         })
         .collect();
     sizes(&scaled, &ask)?;
-    for point in [3e9, -3e9, 1e20, -1e20, 1e38].map(Vec3::splat) {
-        // Any answer will do.
-        ask(&Question { point, size: 0.5 });
-    }
+    let distant: Vec<_> = (0..300).map(|i| far_question(&mut dice, [200.0, 40_000.0, 1e6][i / 100])).collect();
+    far(&distant, &ask)?;
     if !surfaces.iter().any(ask_surface) {
         let message = "`is_dark` is right. Now for `is_dark_at`, which returns `false` for every hit.";
         return Err(Diagnosis::new("surface-not-started", message));
     }
-    on_surfaces(&surfaces, &ask_surface)
+    on_surfaces(&surfaces, &ask_surface)?;
+    let slanted: Vec<_> = (0..400).map(|_| slanted_surface(&mut dice)).collect();
+    near_borders(&slanted, &ask_surface)
 }
 
 /// A point at least a tenth of a cube's width away from every border, its cube numbers in a range.
 fn question(dice: &mut Dice, [min, max]: [f32; 2], size: f32) -> Question {
     let point = Vec3::from_array([(); 3].map(|()| inner(dice, min, max)));
     Question { point: point * size, size }
+}
+
+/// A point in the middle of a cube about so many cubes away from the origin, in all three directions.
+fn far_question(dice: &mut Dice, cubes: f32) -> Question {
+    let size = dice.choice([0.5, 1.0, 2.0]);
+    let mut coordinate = || dice.choice([-1.0, 1.0]) * (cubes - dice.number(0.0, 9.0).floor() - 0.5) * size;
+    let point = Vec3::new(coordinate(), coordinate(), coordinate());
+    Question { point, size }
 }
 
 /// A coordinate in widths of a cube, at least a tenth away from every border.
@@ -183,8 +192,9 @@ fn below_zero(questions: &[Question], ask: &dyn Fn(&Question) -> bool) -> Verdic
         Rival {
             name: "remainder-negative",
             answer: &|_: &Question| false,
-            advice: "All cubes at negative coordinates are light. Their sum is negative, and `%` keeps the sign: −3 % 2 is \
-                     −1, not 1. `rem_euclid` gives 1.",
+            advice: "All cubes at negative coordinates are light. Does your code take `%` there? It keeps the sign: −3 % 2 is \
+                     −1, not 1, and `rem_euclid` gives 1. Or does it make unsigned numbers of them? `as u32` turns all that \
+                     is negative into 0.",
         },
         Rival {
             name: "truncated",
@@ -219,6 +229,16 @@ fn sizes(questions: &[Question], ask: &dyn Fn(&Question) -> bool) -> Verdict {
     judge_points(questions, ask, &rivals, general)
 }
 
+/// Cubes far away from the origin.
+fn far(questions: &[Question], ask: &dyn Fn(&Question) -> bool) -> Verdict {
+    let general = (
+        "far-away",
+        "Around the origin your cubes are right, but not so far away. Is a number forced into a type that is too small for \
+         it, like `i8` or `i16`, or is the point kept within bounds?",
+    );
+    judge_points(questions, ask, &[], general)
+}
+
 /// A hit on a surface in the border between two layers of cubes.
 struct Surface {
     hit: Hit,
@@ -248,6 +268,61 @@ fn surface(dice: &mut Dice) -> Surface {
     let hit = Hit { position, ..Hit::new(&Ray::new(position + normal * size, -normal * size), 1.0, normal) };
     let side = dice.choice([Side::Outside, Side::Inside]);
     Surface { hit: Hit { side, ..hit.shaded_with(shading) }, size }
+}
+
+/// How far behind the surface of [`slanted_surface`] there is a border, in widths of a cube.
+const DEPTHS: [f32; 3] = [0.0006, 0.0016, 0.005];
+
+/// A hit on a slanted surface. A thousandth of `size` behind it is beyond a near border, or not yet.
+fn slanted_surface(dice: &mut Dice) -> Surface {
+    let size = dice.choice([0.01, 1.0, 1000.0]);
+    let axis = dice.choice([0, 1, 2]);
+    let normal = loop {
+        let normal = dice.direction().normalize();
+        if (0.3..0.9).contains(&normal[axis].abs()) {
+            break normal;
+        }
+    };
+    let mut position = Vec3::from_array([(); 3].map(|()| inner(dice, -3.0, 3.0)));
+    position[axis] = dice.choice([-1.0, 0.0, 1.0, 2.0]) + normal[axis] * dice.choice(DEPTHS);
+    let position = position * size;
+    let hit = Hit { position, ..Hit::new(&Ray::new(position + normal * size, -normal * size), 1.0, normal) };
+    Surface { hit, size }
+}
+
+/// Slanted surfaces near borders: it matters how far behind them is asked.
+fn near_borders(surfaces: &[Surface], ask: &dyn Fn(&Surface) -> bool) -> Verdict {
+    let shifted = |share: f32| move |s: &Surface| s.at(s.hit.geometric_normal, share * s.size);
+    let right = shifted(1e-3);
+    let far = [2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2, 0.25, 0.5, 0.9].map(shifted);
+    let near = [5e-4, 2e-4, 1e-4, 1e-5, 1e-6].map(shifted);
+    let too_far = |answer| Rival {
+        name: "too-far-behind",
+        answer,
+        advice: "You ask too far behind the surface: there the next cube begins. A thousandth of `size` is asked for.",
+    };
+    let too_near = |answer| Rival {
+        name: "not-far-enough",
+        answer,
+        advice: "You ask behind the surface, but not as far as a thousandth of `size`.",
+    };
+    let by_axes = |s: &Surface| s.at(s.hit.geometric_normal.signum(), s.size / 1000.0);
+    let rivals: Vec<_> = [Rival {
+        name: "not-along-the-normal",
+        answer: &by_axes,
+        advice: "Your point is a thousandth of `size` away in each of the three directions, whatever the normal's length \
+                 along them. Multiply the normal itself, not only its signs.",
+    }]
+    .into_iter()
+    .chain(far.iter().map(|answer| too_far(answer as &dyn Fn(&Surface) -> bool)))
+    .chain(near.iter().map(|answer| too_near(answer as &dyn Fn(&Surface) -> bool)))
+    .collect();
+    let general = (
+        "wrong-depth",
+        "This surface is slanted, and just behind it is a border. Ask neither more nor less than a thousandth of `size` \
+         behind it, straight against `geometric_normal`.",
+    );
+    judge(surfaces, [ask, &right], &Surface::words, &rivals, general)
 }
 
 fn on_surfaces(surfaces: &[Surface], ask: &dyn Fn(&Surface) -> bool) -> Verdict {
@@ -293,6 +368,18 @@ fn on_surfaces(surfaces: &[Surface], ask: &dyn Fn(&Surface) -> bool) -> Verdict 
             name: "one-direction",
             answer: &|s: &Surface| s.at(Vec3::Y, s.size / 1000.0),
             advice: "Walls and ceilings have borders as well as floors. Go against the normal, not down.",
+        },
+        Rival {
+            name: "divided-by-size",
+            answer: &|s: &Surface| s.at(s.hit.geometric_normal, 0.001 / s.size),
+            advice: "The greater the cubes, the shorter is your way behind the surface. Multiply by `size` instead of \
+                     dividing by it.",
+        },
+        Rival {
+            name: "offset-of-a-ray",
+            answer: &|s: &Surface| is_dark(Offset::Following.origin(&s.hit, -s.hit.geometric_normal), s.size),
+            advice: "The offset of a ray is as small as rounding allows, and that is too little here: a thousandth of a \
+                     cube is asked for.",
         },
         fixed(a),
         fixed(b),

@@ -2,16 +2,19 @@
 
 use common::{
     Rgb, Vec3,
-    exercise::{Diagnosis, Finding, Verdict, dice::Dice, trying},
+    exercise::{Diagnosis, Verdict, dice::Dice},
 };
 use ray_casting::{
     hit::{Hit, Side},
     material::Phong,
     ray::Ray,
 };
+use shadows::offset::Offset;
 use whitted::{branches::Branch, probe::Kind};
 
 use super::{
+    cauchy::cauchy,
+    prism::{FLINT, PARTLY, Question, WIDE},
     tracer::{Follow, Next, Optics},
     words,
 };
@@ -89,6 +92,9 @@ pub(crate) fn check(answer: Answer) -> Verdict {
         Question::new(PARTLY[0], Side::Inside, WIDE),
         Question::new(PARTLY[1], Side::Inside, WIDE),
         Question::new(60.0, Side::Inside, WIDE),
+        // As on a smooth mesh: brightness and directions by another normal than that of the surface itself.
+        Question::new(45.0, Side::Outside, FLINT).shaded_with(Vec3::new(0.28, 0.96, 0.0)),
+        Question::new(20.0, Side::Inside, FLINT).shaded_with(Vec3::new(0.0, -0.96, 0.28)),
     ] {
         question.check(&answer)?;
     }
@@ -97,6 +103,9 @@ pub(crate) fn check(answer: Answer) -> Verdict {
         let side = dice.choice([Side::Outside, Side::Inside]);
         let index = dice.choice([FLINT, WIDE, Rgb::new(1.33, 1.34, 1.345)]);
         let question = Question::random(&mut dice, side, index);
+        let bent = dice.choice([0.0, 0.3]) * dice.direction();
+        let outward = if side == Side::Inside { -1.0 } else { 1.0 } * question.hit.geometric_normal;
+        let question = question.shaded_with(outward + bent);
         if question.is_fair() {
             question.check(&answer)?;
         }
@@ -104,164 +113,21 @@ pub(crate) fn check(answer: Answer) -> Verdict {
     Ok(())
 }
 
-fn cauchy(answer: fn(f32, f32, f32) -> f32) -> Verdict {
-    for (a, b, nanometers) in [
-        (1.728, 0.01342, 550.0),
-        (1.5046, 0.0042, 450.0),
-        (1.458, 0.00354, 650.0),
-        (2.378, 0.0121, 400.0),
-        (1.6, 0.0, 500.0),
-    ] {
-        let tried = format!("`cauchy` with A = {a}, B = {b} µm², λ = {nanometers} nm");
-        let got = f64::from(trying(|| tried.clone(), || answer(a, b, nanometers)));
-        let [a, b, nm] = [a, b, nanometers].map(f64::from);
-        let micro = nm / 1000.0;
-        let right = a + b / (micro * micro);
-        if (got - right).abs() < 1e-5 {
-            continue;
-        }
-        let is = |x: f64| (got - x).abs() < 1e-5 * x.abs().max(1.0);
-        let (name, advice) = if got == 1.0 {
-            ("cauchy-not-started", "`cauchy` answers 1, which is the index of empty space.")
-        } else if is(a + b / (nm * nm)) {
-            (
-                "nanometers",
-                "This is next to A alone. B counts in µm², but the wavelength came in nanometers: divide it by 1000 before you square \
-                 it. Or is B missing?",
-            )
-        } else if is(a + b * 1e3 / (nm * nm)) || is(a + b / (micro * nm)) {
-            ("nanometers", "The wavelength is squared after it was turned into micrometers, not before.")
-        } else if is(a + b / micro) {
-            ("not-squared", "Divide by the square of the wavelength.")
-        } else if is(a + b * micro * micro) {
-            (
-                "multiplied",
-                "Divide B by the square of the wavelength: blue light, of short waves, is bent more than red.",
-            )
-        } else if is(a - b / (micro * micro)) {
-            ("minus", "Add the second term: the shorter the wave, the greater the index.")
-        } else if is(b + a / (micro * micro)) {
-            ("swapped", "A and B have changed places.")
-        } else {
-            ("wrong-index", "Work this out on paper: λ in micrometers, then A + B / λ².")
-        };
-        let (got, expected) = (words::number(got), words::number(right));
-        return Err(Finding { tried, got, expected, advice: advice.into() }.named(name));
-    }
-    Ok(())
-}
-
-/// Dense flint glass.
-const FLINT: Rgb = Rgb::new(1.7598, 1.7724, 1.7943);
-/// No real glass: indices far apart, so that everything shows.
-const WIDE: Rgb = Rgb::new(1.4, 1.6, 1.9);
-/// Angles in degrees beyond the critical angle of blue only (31.8°), and of blue and green (38.7°), in that glass.
-const PARTLY: [f64; 2] = [35.0, 42.0];
-
-/// A ray that meets a surface.
-struct Question {
-    ray: Ray,
-    hit: Hit,
-    index: Rgb,
-}
-
 impl Question {
-    /// At an angle in degrees from the normal.
-    #[allow(clippy::disallowed_methods, clippy::cast_possible_truncation, reason = "nearly the angle is near enough")]
-    fn new(degrees: f64, side: Side, index: Rgb) -> Self {
-        let (sin, cos) = degrees.to_radians().sin_cos();
-        let direction = Vec3::new(sin as f32, -cos as f32, 0.0);
-        Self::of(direction, Vec3::new(1.0, 2.0, 3.0), Vec3::Y, side, index)
-    }
-
-    fn random(dice: &mut Dice, side: Side, index: Rgb) -> Self {
-        let normal = dice.direction().normalize();
-        let direction = dice.direction().normalize();
-        let direction = if direction.dot(normal) > 0.0 { -direction } else { direction };
-        Self::of(direction, dice.point(5.0), normal, side, index)
-    }
-
-    /// `normal` faces the ray.
-    fn of(direction: Vec3, position: Vec3, normal: Vec3, side: Side, index: Rgb) -> Self {
-        let ray = Ray::new(position - 2.0 * direction, direction);
-        let outward = if side == Side::Inside { -normal } else { normal };
-        Self { ray, hit: Hit { side, ..Hit::new(&ray, 2.0, outward) }, index }
-    }
-
-    /// The index behind divided by that before, for a channel.
-    fn relative(&self, channel: usize) -> f64 {
-        let n = f64::from(self.index[channel]);
-        if self.hit.side == Side::Inside { 1.0 / n } else { n }
-    }
-
-    fn cosine(&self) -> f64 {
-        -self.ray.direction.as_dvec3().dot(self.hit.geometric_normal.as_dvec3())
-    }
-
-    /// The square of the cosine behind the surface; negative beyond the critical angle.
-    fn behind(&self, n: f64) -> f64 {
-        1.0 - (1.0 - self.cosine() * self.cosine()) / (n * n)
-    }
-
-    /// Whether rounding decides nothing: away from the critical angles and from the surface itself.
-    fn is_fair(&self) -> bool {
-        self.cosine() > 0.05 && (0..3).all(|c| self.behind(self.relative(c)).abs() > 0.02)
-    }
-
-    /// Fresnel's reflectance, as the mean of the squares of two ratios.
-    fn reflectance(&self, n: f64) -> f64 {
-        let (before, behind) = (self.cosine(), self.behind(n));
-        if behind < 0.0 {
-            return 1.0;
-        }
-        let behind = behind.sqrt();
-        let along = (n * before - behind) / (n * before + behind);
-        let across = (before - n * behind) / (before + n * behind);
-        (along * along + across * across) / 2.0
-    }
-
-    /// The refracted direction.
-    #[expect(clippy::cast_possible_truncation, reason = "to be compared with f32")]
-    fn refracted(&self, n: f64) -> Option<Vec3> {
-        let behind = self.behind(n);
-        let (d, normal) = (self.ray.direction.as_dvec3(), self.hit.geometric_normal.as_dvec3());
-        // The part along the surface shrinks by n, the rest follows from the length.
-        let along = (d + normal * self.cosine()) / n;
-        let v = along - normal * behind.max(0.0).sqrt();
-        (behind >= 0.0).then(|| Vec3::new(v.x as f32, v.y as f32, v.z as f32))
-    }
-
-    fn ask(&self, answer: &Answer) -> [Option<Branch>; 4] {
-        trying(|| self.words(), || (answer.branches)(&self.ray, &self.hit, self.index))
-    }
-
-    fn words(&self) -> String {
-        format!(
-            "`branches` of a ray with direction {} and {}, with the indices {}",
-            words::triple(self.ray.direction),
-            words::hit(&self.hit),
-            words::triple(self.index)
-        )
-    }
-
-    fn finding(
-        &self,
-        got: impl Into<String>,
-        expected: impl Into<String>,
-        name: &'static str,
-        advice: &str,
-    ) -> Verdict {
-        let (tried, got, expected) = (self.words(), got.into(), expected.into());
-        Err(Finding { tried, got, expected, advice: advice.into() }.named(name))
-    }
-
     fn check(&self, answer: &Answer) -> Verdict {
         let rays: Vec<_> = self.ask(answer).into_iter().flatten().collect();
         for Branch { ray, share, kind, .. } in &rays {
             let got = format!("a ray in direction {}, share {}", words::color(ray.direction), words::color(*share));
-            if !(ray.direction.is_finite() && share.is_finite() && ray.origin.is_finite()) {
-                let advice =
-                    "Something is no number. Was there no refracted direction, and was one computed all the same?";
+            let is_number = [ray.direction, *share, ray.origin].map(Vec3::is_finite);
+            if is_number != [true; 3] {
+                let advice = match is_number {
+                    [false, ..] => "The direction is no number. Was there none, and was one computed all the same?",
+                    [_, false, _] => {
+                        "The direction consists of numbers, but the share does not. `exact` always \
+                                      answers one for a cosine and an index that are numbers."
+                    }
+                    _ => "The origin is no number.",
+                };
                 return self.finding(got, "numbers", "not-a-number", advice);
             }
             if (ray.direction.length() - 1.0).abs() > 1e-4 {
@@ -277,6 +143,7 @@ impl Question {
                 return self.finding("Kind::Camera", "another kind", "wrong-kind", advice);
             }
         }
+        self.check_kinds(&rays)?;
         let (reflected, refracted): (Vec<_>, Vec<_>) = rays.into_iter().partition(|b| b.kind == Kind::Reflected);
         self.check_reflected(&reflected)?;
         self.check_channels(&refracted)?;
@@ -285,9 +152,30 @@ impl Question {
         self.check_origins(&refracted, -1.0)
     }
 
+    /// Rays that go where they should, but are told to be of the other kind.
+    fn check_kinds(&self, rays: &[Branch]) -> Verdict {
+        let mirrored = self.mirrored();
+        let is_mirrored = |b: &Branch| b.ray.direction.abs_diff_eq(mirrored, 1e-4);
+        let refracted = [0, 1, 2].map(|c| self.refracted(self.relative(c)));
+        let is_refracted =
+            |b: &Branch| refracted.iter().flatten().any(|right| b.ray.direction.abs_diff_eq(*right, 1e-4));
+        let has_mirrored = rays.iter().any(|b| b.kind == Kind::Reflected && is_mirrored(b));
+        for branch in rays {
+            let right = match branch.kind {
+                Kind::Reflected if is_refracted(branch) => "Refracted",
+                Kind::Refracted if is_mirrored(branch) && !has_mirrored => "Reflected",
+                _ => continue,
+            };
+            let got = format!("in direction {} a ray of Kind::{:?}", words::color(branch.ray.direction), branch.kind);
+            let advice = "The direction is right, but the kind is not: `Kind::Reflected` is for the mirror direction, \
+                          `Kind::Refracted` for what goes on behind the surface.";
+            return self.finding(got, format!("a ray of Kind::{right}"), "wrong-kind", advice);
+        }
+        Ok(())
+    }
+
     fn check_reflected(&self, reflected: &[Branch]) -> Verdict {
-        let (d, n) = (self.ray.direction, self.hit.geometric_normal);
-        let right = d - 2.0 * n * d.dot(n);
+        let right = self.mirrored();
         let expected = format!("one reflected ray, in direction {}", words::color(right));
         match reflected {
             [] => self.finding(
@@ -298,6 +186,9 @@ impl Question {
             ),
             [one] if !one.ray.direction.abs_diff_eq(right, 1e-4) => {
                 let got = format!("a reflected ray in direction {}", words::color(one.ray.direction));
+                if one.ray.direction.abs_diff_eq(self.flat().mirrored(), 1e-4) {
+                    return self.finding(got, expected, "geometric-normal", BENT);
+                }
                 self.finding(
                     got,
                     expected,
@@ -319,6 +210,7 @@ impl Question {
         let carries = |b: &Branch, c: usize| b.share[c].abs() > 1e-6;
         let directions = [0, 1, 2].map(|c| self.refracted(self.relative(c)));
         let is_partly_total = directions.iter().any(Option::is_none);
+        let count = directions.iter().flatten().count();
         for c in 0..3 {
             let name = NAMES[c];
             let carriers: Vec<_> = refracted.iter().filter(|b| carries(b, c)).collect();
@@ -340,6 +232,15 @@ impl Question {
             };
             let expected = format!("one for {name} alone, in direction {}", words::color(right));
             let Some(one) = carriers.first() else {
+                let is_there =
+                    refracted.len() >= count && refracted.iter().any(|b| b.share.abs().max_element() <= 1e-6);
+                if is_there {
+                    let got = format!("{} refracted rays, but with the share 0 for {name}", refracted.len());
+                    let advice = "1 − F is 0 here, so F came out as 1. That is what `exact` answers for a cosine of zero or \
+                                  less. The cosine is −d·N, and N faces the ray already: has a sign been lost, or has the \
+                                  normal been turned once more because of the side?";
+                    return self.finding(got, expected, "nothing-refracted", advice);
+                }
                 let (mistake, advice) = if is_partly_total {
                     (
                         "all-or-nothing",
@@ -364,6 +265,10 @@ impl Question {
             if direction.abs_diff_eq(right, 1e-4) {
                 continue;
             }
+            let flat = self.flat().refracted(self.relative(c));
+            if flat.is_some_and(|flat| direction.abs_diff_eq(flat, 1e-4)) {
+                return self.finding(got, expected, "geometric-normal", BENT);
+            }
             let is = |n: f64| self.refracted(n).is_some_and(|d| direction.abs_diff_eq(d, 1e-4));
             let (mistake, advice) = if self.hit.side == Side::Inside && is(1.0 / self.relative(c)) {
                 ("index-from-inside", "From Side::Inside the ray leaves the glass: the relative index is 1/n.")
@@ -380,6 +285,12 @@ impl Question {
                 )
             };
             return self.finding(got, expected, mistake, advice);
+        }
+        if refracted.len() > count {
+            let got = format!("{} refracted rays", refracted.len());
+            let advice = "A channel beyond its critical angle sends no refracted ray, not even one with a share of zero: there \
+                          is no direction for it.";
+            return self.finding(got, count.to_string(), "invented-direction", advice);
         }
         Ok(())
     }
@@ -401,7 +312,21 @@ impl Question {
             };
             let total = [0, 1, 2].map(|c| self.behind(self.relative(c)) < 0.0);
             let loses = (0..3).any(|c| total[c] && got[c] < 0.999);
-            let (name, advice) = if loses {
+            let mean = (right.element_sum() / 3.0) * Rgb::ONE;
+            let missing = (0..3).any(|c| got[c] == 0.0 && is(right * (Rgb::ONE - Rgb::AXES[c])));
+            let flat = self.flat();
+            let (name, advice) = if is(of(&|c| flat.reflectance(flat.relative(c)))) {
+                ("geometric-normal", BENT)
+            } else if is(mean) {
+                ("mean-reflectance", "This is the mean of F over the three channels. Each channel has its own share.")
+            } else if missing {
+                ("channel-missing", "One channel of the reflected share is zero. The reflected ray carries all three.")
+            } else if is(right / 2.0) || is(right / 3.0) {
+                (
+                    "share-divided",
+                    "This is a part of F only. The reflected ray is the only one of its kind: its share is all of F.",
+                )
+            } else if loses {
                 (
                     "total-reflection-dimmed",
                     "Where nothing is refracted, everything is reflected: F is 1 in that channel.",
@@ -425,7 +350,8 @@ impl Question {
             } else {
                 (
                     "wrong-reflectance",
-                    "F comes from Fresnel's equations: `fresnel::exact(cosine, n, 0.0)`, for each channel.",
+                    "F is `exact(cosine, n, 0.0)` for each channel, and nothing else. With which cosine and which n was it called \
+                     here, and what was done to its answer?",
                 )
             };
             return self.finding(got_words, expected, name, advice);
@@ -442,19 +368,45 @@ impl Question {
 
     /// `side` is 1 for rays before the surface and −1 behind it.
     fn check_origins(&self, branches: &[Branch], side: f32) -> Verdict {
+        let hit = &self.hit;
+        let origin = |offset: Offset, normal| offset.origin(hit, side * normal);
+        let right = origin(Offset::Following, hit.geometric_normal);
+        // A few roundings, much less than the offset.
+        let is = |a: Vec3, b: Vec3| a.abs_diff_eq(b, 2.0 * f32::EPSILON * hit.magnitude);
         for branch in branches {
-            let above = side * (branch.ray.origin - self.hit.position).dot(self.hit.geometric_normal);
-            let got = format!("a {:?} ray that starts {above:.1e} units above its side of the surface", branch.kind);
-            let expected = "a little more than nothing";
-            if above < 0.0 {
-                let advice = "A reflected ray starts on the side to which `geometric_normal` points, a refracted one on the \
-                              other side. Starting on the wrong side, it hits the same surface again.";
-                return self.finding(got, expected, "starts-on-the-wrong-side", advice);
-            }
-            if above == 0.0 || above > 1e-2 {
-                let advice = "Start rays at `Offset::Following.origin(hit, normal)`: so little above the surface that nothing \
-                              is passed over, and enough not to hit it again.";
-                return self.finding(got, expected, "wrong-offset", advice);
+            let start = branch.ray.origin;
+            let above = (start - hit.position).dot(hit.geometric_normal);
+            if !is(start, right) {
+                let place = match above {
+                    0.0 => "on the surface itself".into(),
+                    x if x > 0.0 => format!("{x:.8} units before the surface"),
+                    x => format!("{:.8} units behind the surface", x.abs()),
+                };
+                let (name, advice) = if is(start, origin(Offset::Bits, hit.geometric_normal)) {
+                    ("offset-by-bits", "This is `Offset::Bits`. `Offset::Following` is asked for.")
+                } else if is(start, origin(Offset::Following, hit.shading_normal)) {
+                    (
+                        "offset-by-shading-normal",
+                        "The shading normal only says how a surface shines and where rays turn. Where before and behind \
+                         it is, `geometric_normal` says.",
+                    )
+                } else if side * above < 0.0 {
+                    (
+                        "starts-on-the-wrong-side",
+                        "A reflected ray starts on the side to which `geometric_normal` points, a refracted one on the \
+                         other side. Starting on the wrong side, it hits the same surface again.",
+                    )
+                } else {
+                    (
+                        "wrong-offset",
+                        "Start rays at `Offset::Following.origin(hit, normal)`: so little away from the surface that nothing \
+                         is passed over, and enough not to hit it again.",
+                    )
+                };
+                let got = format!("a {:?} ray that starts {place}", branch.kind);
+                let side = if side > 0.0 { "before" } else { "behind" };
+                let distance = (right - hit.position).dot(hit.geometric_normal).abs();
+                return self.finding(got, format!("{distance:.8} units {side} it"), name, advice);
             }
             if branch.range != common::Interval::POSITIVE {
                 let got = format!("{:?} with {}", branch.kind, common::exercise::words::range(branch.range));
@@ -464,3 +416,7 @@ impl Question {
         Ok(())
     }
 }
+
+/// What to say where the surface's own normal was taken for the one to shade with.
+const BENT: &str = "This belongs to `geometric_normal`. Directions and F come from `shading_normal`, which differs from it on smooth \
+                    meshes.";

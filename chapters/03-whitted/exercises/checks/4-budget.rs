@@ -1,12 +1,7 @@
 //! Checks exercise 3.4, a budget of rays.
-//!
-//! The rays are those of made-up trees: the origin of a ray is the number of its node, so that the check sees which rays are
-//! followed, and in which order.
-
-use std::cell::RefCell;
 
 use common::{
-    Interval, Rgb, Vec3,
+    Rgb, Vec3,
     exercise::{Diagnosis, Finding, Verdict, trying},
     random::Stream,
 };
@@ -15,128 +10,25 @@ use shadows::offset::Offset;
 use whitted::{
     branches::Branch,
     material::{Fresnel, Material},
-    probe::{Kind, Listener},
+    probe::Listener,
     whitted::{Limits, Terms, Whitted},
 };
 
 use super::{
+    budget_mistakes::follows_the_rest,
+    tree::{Tree, two},
     words,
-    world::{Surface, Trace, World, depth_first},
+    world::{Trace, depth_first},
 };
 
-/// A ray of a tree.
-#[derive(Clone)]
-struct Node {
-    /// What it finds without further rays.
-    radiance: Rgb,
-    /// What is guessed if it is not followed.
-    background: Rgb,
-    /// Of its parent's radiance.
-    share: Rgb,
-    /// Of the whole.
-    whole: Rgb,
-    /// The rays that it causes, once somebody has asked.
-    next: Option<[Option<usize>; 2]>,
-}
-
-impl Node {
-    fn contribution(&self) -> f32 {
-        self.whole.element_sum() / 3.0
-    }
-}
-
-/// A tree that grows where somebody looks.
-struct Tree {
-    words: &'static str,
-    nodes: RefCell<Vec<Node>>,
-    /// The nodes that were followed, in this order.
-    followed: RefCell<Vec<usize>>,
-    /// What a node's rays are like: by the node's number and its random numbers.
-    grow: fn(usize, &mut Stream) -> [Option<Rgb>; 2],
-    /// After so many rays the tree answers nothing any more, so that every search ends.
-    end: usize,
-}
-
-/// A search that is not the right one: its name, what to say about it, and how it ranks a ray by its node and its age.
-type Rival<'a> = (&'static str, &'static str, &'a dyn Fn(&Node, usize) -> f32);
-
-/// The camera ray of every tree: it has a share of its own, as if it were the ray of another tree.
-const CAMERA_SHARE: Rgb = Rgb::new(0.5, 1.0, 0.75);
-
 impl Tree {
-    fn new(words: &'static str, end: u32, grow: fn(usize, &mut Stream) -> [Option<Rgb>; 2]) -> Self {
-        let tree =
-            Self { words, nodes: RefCell::default(), followed: RefCell::default(), grow, end: end as usize + 100 };
-        tree.plant(CAMERA_SHARE, CAMERA_SHARE);
-        tree
-    }
-
-    /// A new node; its number.
-    fn plant(&self, share: Rgb, whole: Rgb) -> usize {
-        let mut nodes = self.nodes.borrow_mut();
-        let mut random = Stream::new(34, nodes.len() as u64, 0);
-        let mut color = || Rgb::from_array([(); 3].map(|()| random.uniform()));
-        let (radiance, background) = (color(), color());
-        nodes.push(Node { radiance, background, share, whole, next: None });
-        nodes.len() - 1
-    }
-
-    /// The rays that a node causes.
-    fn next(&self, node: usize) -> [Option<usize>; 2] {
-        let Node { whole, next, .. } = self.nodes.borrow()[node].clone();
-        next.unwrap_or_else(|| {
-            let mut random = Stream::new(35, node as u64, 0);
-            let next = (self.grow)(node, &mut random).map(|share| share.map(|share| self.plant(share, whole * share)));
-            self.nodes.borrow_mut()[node].next = Some(next);
-            next
-        })
-    }
-
-    #[expect(clippy::cast_precision_loss, reason = "few nodes")]
-    fn branch(&self, node: usize) -> Branch {
-        let share = self.nodes.borrow()[node].share;
-        let ray = Ray::new(Vec3::new(node as f32, 0.0, 0.0), Vec3::Y);
-        Branch { kind: if node == 0 { Kind::Camera } else { Kind::Reflected }, ray, range: Interval::POSITIVE, share }
-    }
-
-    /// The number of the node that a ray belongs to.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "few nodes")]
-    fn node(&self, branch: &Branch) -> usize {
-        (branch.ray.origin.x as usize).min(self.nodes.borrow().len() - 1)
-    }
-
-    /// Search the tree: always the waiting ray for which `rank` is greatest. The nodes in the order in which they are
-    /// followed, and those that wait in the end.
-    fn search(&self, budget: usize, rank: &dyn Fn(&Node, usize) -> f32) -> [Vec<usize>; 2] {
-        let (mut followed, mut waiting) = (Vec::new(), vec![(0_usize, 0_usize)]);
-        let mut age = 0;
-        while followed.len() < budget {
-            let rank_of = |(node, age): &(usize, usize)| rank(&self.nodes.borrow()[*node], *age);
-            let best = (0..waiting.len()).max_by(|a, b| rank_of(&waiting[*a]).total_cmp(&rank_of(&waiting[*b])));
-            let Some((node, _)) = best.map(|i| waiting.swap_remove(i)) else { break };
-            followed.push(node);
-            for next in self.next(node).into_iter().flatten() {
-                age += 1;
-                if self.nodes.borrow()[next].whole != Rgb::ZERO {
-                    waiting.push((next, age));
-                }
-            }
-        }
-        [followed, waiting.into_iter().map(|(node, _)| node).collect()]
-    }
-
-    fn sum(&self, nodes: &[usize], value: impl Fn(&Node) -> Rgb) -> Rgb {
-        let all = self.nodes.borrow();
-        nodes.iter().map(|&n| value(&all[n]).as_dvec3()).fold(Vec3::ZERO.as_dvec3(), |a, b| a + b).as_vec3()
-    }
-
     /// Ask the student's search, and judge it.
     fn check(&self, trace: Trace, budget: u32) -> Verdict {
         self.followed.borrow_mut().clear();
         let asked = || format!("{}, with a budget of {budget}", self.words);
         let got = trying(asked, || trace(self, self.branch(0), budget));
         let followed = self.followed.borrow().clone();
-        let [ideal, rest] = self.search(budget as usize, &|node, _| node.contribution());
+        let [ideal, rest] = self.ideal(budget as usize);
         let finding = |got: String, expected: String, name, advice: &str| {
             Err(Finding { tried: asked(), got, expected, advice: advice.into() }.named(name))
         };
@@ -144,6 +36,10 @@ impl Tree {
         let many = |n: usize| if n > self.end { format!("more than {}", rays(self.end)) } else { rays(n) };
         if followed.len() > budget as usize {
             let (name, advice) = match followed.len() - budget as usize {
+                1 if follows_the_rest(trace) => (
+                    "rest-followed",
+                    "When the budget is spent, you still follow what waits. Guess it instead, by `world.background`.",
+                ),
                 1 => ("camera-ray-not-counted", "One ray too many. The camera ray is one of the budget, too."),
                 _ => ("over-budget", "Each call of `follow` takes 1 of the budget, wherever it is made."),
             };
@@ -165,110 +61,15 @@ impl Tree {
                 }
                 _ => rays(nodes.len()),
             };
-            let (name, advice) = self.wrong_order(&followed, &ideal, budget as usize);
+            let (name, advice) = self.wrong_order(trace, [&followed, &ideal], got, budget as usize);
             return finding(told(&followed), told(&ideal), name, advice);
         }
         let right = self.sum(&ideal, |n| n.whole * n.radiance) + self.sum(&rest, |n| n.whole * n.background);
         if words::is_near(got, right, 1e-3) {
             return Ok(());
         }
-        let (name, advice) = self.wrong_sum(got, &ideal, &rest);
+        let (name, advice) = self.wrong_sum(got, right, &ideal, &rest);
         finding(words::color(got), words::color(right), name, advice)
-    }
-
-    /// The name of the search that follows rays in this order.
-    fn wrong_order(&self, followed: &[usize], ideal: &[usize], budget: usize) -> (&'static str, &'static str) {
-        #[expect(clippy::cast_precision_loss, reason = "few nodes")]
-        let age = |age: usize| age as f32;
-        let depth_first = "This order is depth-first: what came last is followed first, however little it brings.";
-        let by_channel = "The contribution is the mean of all three channels of the share.";
-        let rivals: [Rival<'_>; 8] = [
-            ("depth-first", depth_first, &|_, n| age(n)),
-            // The same, with the first of two rays first.
-            ("depth-first", depth_first, &|_, n| age(n.div_ceil(2)) - 0.1 * age((n + 1) % 2)),
-            (
-                "breadth-first",
-                "This order is breadth-first: one depth after the other, however little a ray brings.",
-                &|_, n| -age(n),
-            ),
-            (
-                "least-first",
-                "You follow the least contribution first. `BinaryHeap` gives out its greatest element: is your order reversed?",
-                &|node, _| -node.contribution(),
-            ),
-            (
-                "share-of-parent",
-                "You rank rays by their share of the ray that caused them. Multiply it by that ray's own share of the whole.",
-                &|node, _| node.share.element_sum(),
-            ),
-            ("one-channel", by_channel, &|node, _| node.whole.x),
-            ("greatest-channel", by_channel, &|node, _| node.whole.max_element()),
-            ("luminance", by_channel, &|node, _| common::color::luminance(node.whole)),
-        ];
-        let is = |rank: &dyn Fn(&Node, usize) -> f32| self.search(budget, rank)[0] == followed;
-        // As it is with a limit instead of a search: the order is right, but it ends early.
-        let is_short = followed.len() < ideal.len() && followed == &ideal[..followed.len()];
-        let rival = rivals.iter().find(|(_, _, rank)| is(*rank)).map(|(name, advice, _)| (*name, *advice));
-        if is_short && followed.is_empty() {
-            ("nothing-followed", "There is a budget left, but not even the camera ray is followed.")
-        } else if is_short {
-            ("budget-not-used", "The search ends, though rays still wait and there is a budget left for them.")
-        } else {
-            rival.unwrap_or((
-                "wrong-order",
-                "Of all rays that wait, wherever in the tree they are, the one with the greatest mean share comes next.",
-            ))
-        }
-    }
-
-    /// The likely mistake in a sum over the right rays.
-    fn wrong_sum(&self, got: Rgb, followed: &[usize], rest: &[usize]) -> (&'static str, &'static str) {
-        let is = |value: Rgb| words::is_near(got, value, 1e-3);
-        let found = self.sum(followed, |n| n.whole * n.radiance);
-        let guess = self.sum(rest, |n| n.whole * n.background);
-        if is(found) {
-            (
-                "rest-forgotten",
-                "The rays that still wait in the end are missing: each brings its share of the background.",
-            )
-        } else if is(found + self.sum(rest, |n| n.background)) {
-            ("rest-unweighted", "The rays that still wait bring their share of the background, not all of it.")
-        } else if is(found + self.sum(rest, |n| n.share * n.background)) {
-            ("rest-unweighted", "The share of a waiting ray is multiplied with all shares on its way to the eye.")
-        } else if is(self.sum(followed, |n| n.radiance) + guess) {
-            ("shares-missing", "What a ray finds counts with the ray's share of the whole.")
-        } else if is(self.sum(followed, |n| n.share * n.radiance) + self.sum(rest, |n| n.share * n.background)) {
-            ("share-of-parent", "Shares are multiplied all the way to the eye, not only with the last surface.")
-        } else if is((found + guess) / CAMERA_SHARE) {
-            ("camera-share", "The camera ray has a share as well, `camera_ray.share`, and here it is not one.")
-        } else if is(found + guess + self.sum(followed, |n| n.whole * n.background)) {
-            ("guessed-and-followed", "A ray is either followed or guessed, not both.")
-        } else if is(guess) {
-            ("radiance-forgotten", "The `radiance` of the surfaces is missing.")
-        } else {
-            (
-                "wrong-sum",
-                "The right rays are followed, but the sum is wrong: share of the whole times `radiance`, and for those that \
-                 wait times `background`.",
-            )
-        }
-    }
-}
-
-impl World for Tree {
-    fn follow(&self, branch: &Branch) -> Surface {
-        let node = self.node(branch);
-        self.followed.borrow_mut().push(node);
-        if self.followed.borrow().len() > self.end {
-            return Surface::default();
-        }
-        let next = self.next(node).map(|next| next.map(|next| self.branch(next)));
-        Surface { radiance: self.nodes.borrow()[node].radiance, next }
-    }
-
-    fn background(&self, branch: &Branch) -> Rgb {
-        let node = self.node(branch);
-        self.nodes.borrow()[node].background
     }
 }
 
@@ -289,10 +90,6 @@ pub(crate) fn check(trace: Trace) -> Verdict {
         leaf().check(trace, budget)?;
     }
     // Trees that have an end, and trees that have none.
-    let two = |_: usize, random: &mut Stream| {
-        let part = 0.1 + 0.8 * random.uniform();
-        [part, 0.97 - part].map(|part| Some(part * Rgb::from_array([(); 3].map(|()| 0.4 + 0.6 * random.uniform()))))
-    };
     for budget in [20, 2, 3, 4, 6, 9, 77, 300] {
         Tree::new("a tree of rays, each causing two more", budget, two).check(trace, budget)?;
     }
@@ -306,6 +103,23 @@ pub(crate) fn check(trace: Trace) -> Verdict {
     };
     for budget in [5, 20, 200] {
         Tree::new("a tree of rays, some with a share of zero", budget, some).check(trace, budget)?;
+    }
+    // As behind glass of exercise 3.3: some rays bring one channel only.
+    let channels = |node: usize, random: &mut Stream| {
+        let one = Rgb::AXES[node % 3];
+        let mut part = |least: f32| least + 0.25 * random.uniform();
+        [
+            Some(if node < 3 { part(0.7) * one } else { Rgb::new(0.9, 0.8, 0.7) * part(0.6) }),
+            Some(Rgb::splat(part(0.2))),
+        ]
+    };
+    for budget in [3, 8, 50] {
+        Tree::new("a tree of rays, some with a share in one channel only", budget, channels).check(trace, budget)?;
+    }
+    let weak = |_: usize, _: &mut Stream| [Some(Rgb::splat(1e-3)), None];
+    for budget in [5, 10] {
+        Tree::new("a ray that causes one of share 0.001, which causes one of share 0.001, and so on", budget, weak)
+            .check(trace, budget)?;
     }
     mirrors(trace)?;
     heap_of_glass(trace)?;

@@ -5,6 +5,12 @@
 
 #![allow(dead_code, reason = "an exercise uses its own check only")]
 
+mod budget_mistakes;
+mod cauchy;
+mod film;
+mod film_mistakes;
+mod prism;
+mod tree;
 mod words;
 
 #[path = "2-absorption.rs"]

@@ -29,7 +29,8 @@ const DENSITY: Knob =
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {
     let alt = "Rows of glass balls on a white table, ruby, amber, emerald and cobalt, each row from small to great. The \
-               smallest are pale, the greatest deep. Their shadows are colored, too.";
+               smallest are pale, the greatest deep. Light goes straight through them to the table, so that their shadows are \
+               colored, too, and deeper under greater balls.";
     let knobs = &[DENSITY, ORBIT[0], ORBIT[1], ORBIT[2]];
     Picture { knobs, ..studio::picture("3.2-absorption", alt, make) }
 }
@@ -42,13 +43,13 @@ pub(crate) fn make(settings: &Settings, answer: Answer) -> Result<Box<dyn Render
         absorption: (answer.coefficient)(srgb(red, green, blue)) * density,
     };
     let mut scene = Scene::new();
-    scene.ambient = Rgb::new(0.34, 0.36, 0.40);
+    scene.ambient = Rgb::new(0.13, 0.14, 0.16);
     scene.surround(Studio {
         low: Rgb::new(0.42, 0.44, 0.48),
         high: Rgb::new(0.80, 0.86, 0.95),
         lamps: Rgb::new(2.5, 2.4, 2.2),
     });
-    scene.light(DirectionalLight::new(Vec3::new(-0.55, 0.9, -0.62), Rgb::new(2.1, 2.0, 1.85)));
+    scene.light(DirectionalLight::new(Vec3::new(-0.55, 0.9, -0.62), Rgb::new(2.7, 2.6, 2.42)));
     let white = Material::rough(Phong::of(srgb(236, 234, 230), 0.0, 1.0));
     let table = Glass { surface: white, absorption: Rgb::ZERO };
     scene.add("table", block(Frame::at(Vec3::Y * -0.5), Vec3::new(60.0, 0.5, 60.0))?, table);

@@ -35,7 +35,7 @@ pub(crate) const fn picture(make: Make) -> Picture {
                lamps. The facets of the diamond sparkle in red, green and blue, and in the prism each white stripe is \
                spread into stripes of all colors.";
     let knobs = &[DISPERSION, ORBIT[0], ORBIT[1], ORBIT[2]];
-    Picture { knobs, samples: 9, ..studio::picture("3.3-dispersion", alt, make) }
+    Picture { knobs, samples: 16, ..studio::picture("3.3-dispersion", alt, make) }
 }
 
 /// A dark hall with rings of small round lamps.

@@ -68,6 +68,9 @@ fn wrong_coefficients() {
     assert_eq!(coefficients(|color| each(color, |x| -float::ln(x) / std::f32::consts::LN_10)), "wrong-logarithm");
     assert_eq!(coefficients(|color| Rgb::splat(-float::ln(color.x))), "one-channel");
     assert_eq!(coefficients(|color| each(color, |x| -2.0 * float::ln(x))), "wrong-coefficient");
+    assert_eq!(coefficients(|color| each(color, |x| -float::ln(x.max(0.01)))), "dark-colors");
+    assert_eq!(coefficients(|color| each(color, |x| -float::ln(x.max(1e-6)))), "dark-colors");
+    assert_eq!(coefficients(|color| each(color, |x| -float::ln(x + 0.001))), "wrong-coefficient");
 }
 
 #[test]
@@ -84,6 +87,14 @@ fn wrong_transmittances() {
         transmittances(|sigma, s| if s.is_finite() { each(sigma, |x| float::exp(-x * s)) } else { Rgb::ZERO }),
         "zero-times-infinity"
     );
+    assert_eq!(
+        transmittances(|sigma, s| if s.is_finite() { each(sigma, |x| float::exp(-x * s)) } else { Rgb::ONE }),
+        "infinite-way-ignored"
+    );
+    assert_eq!(transmittances(|_, s| Rgb::splat(float::exp(-s))), "sigma-ignored");
+    assert_eq!(transmittances(|sigma, s| (RIGHT.transmittance)(sigma, s.ceil())), "length-rounded");
+    assert_eq!(transmittances(|sigma, s| (RIGHT.transmittance)(sigma, s.min(1000.0))), "long-ways");
+    assert_eq!(transmittances(|sigma, s| each(sigma, |x| float::exp(-(x + 0.1) * s))), "wrong-transmittance");
 }
 
 #[test]
@@ -93,10 +104,25 @@ fn wrong_ways() {
     assert_eq!(ways(|branch, hit| hit.map_or(1.0, |hit| hit.t - branch.range.min)), "infinite-way");
     assert_eq!(ways(|branch, hit| hit.map_or(f32::INFINITY, |hit| branch.range.min - hit.t)), "negative-way");
     assert_eq!(ways(|_, hit| hit.map_or(f32::INFINITY, |hit| hit.t * hit.t)), "wrong-way");
+    assert_eq!(ways(|branch, hit| hit.map_or(branch.range.max, |hit| hit.t) - branch.range.min), "range-end");
 }
 
 #[test]
 fn wrong_media() {
+    assert_eq!(
+        media(|new, side, here, inside| {
+            let kind = if new.kind == Kind::Refracted { Kind::Reflected } else { Kind::Refracted };
+            (RIGHT.medium)(&Branch { kind, ..*new }, side, here, inside)
+        }),
+        "kinds-swapped"
+    );
+    assert_eq!(
+        media(|new, side, here, inside| {
+            let side = if side == Side::Inside { Side::Outside } else { Side::Inside };
+            (RIGHT.medium)(new, side, here, inside)
+        }),
+        "sides-swapped"
+    );
     // The other side of the old one, whatever becomes of the ray.
     assert_eq!(media(|_, side, _, inside| if side == Side::Outside { inside } else { Rgb::ZERO }), "reflection-enters");
     assert_eq!(media(|new, _, here, inside| if new.kind == Kind::Refracted { inside } else { here }), "never-leaves");

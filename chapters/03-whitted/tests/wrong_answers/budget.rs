@@ -19,6 +19,12 @@ struct Search {
     found: fn(Rgb, Rgb) -> Rgb,
     guess: fn(Rgb, Rgb) -> Rgb,
     dark: bool,
+    /// Whether a ray may wait, by its share of the whole, and whether it is the first of two.
+    keeps: fn(Rgb, bool) -> bool,
+    /// The share of the whole, by that of the parent and its own.
+    whole: fn(Rgb, Rgb) -> Rgb,
+    /// Whether the search ends early, by the number of rays followed and waiting, and the budget.
+    ends: fn(usize, usize, u32) -> bool,
 }
 
 const RIGHT: Search = Search {
@@ -27,22 +33,29 @@ const RIGHT: Search = Search {
     found: |whole, radiance| whole * radiance,
     guess: |whole, background| whole * background,
     dark: false,
+    keeps: |_, _| true,
+    whole: |parent, share| parent * share,
+    ends: |_, _, _| false,
 };
 
 fn run(search: &Search, world: &dyn World, camera_ray: Branch, budget: u32) -> Rgb {
     let mut radiance = Rgb::ZERO;
     let mut age = 0;
     let mut waiting = vec![(camera_ray, camera_ray.share, 0)];
-    for _ in 0..(search.limit)(budget) {
+    for followed in 0..(search.limit)(budget) {
+        if (search.ends)(followed as usize, waiting.len(), budget) {
+            break;
+        }
         let rank = |i: &usize| (search.rank)(waiting[*i].0.share, waiting[*i].1, waiting[*i].2);
         let Some(best) = (0..waiting.len()).max_by(|a, b| rank(a).total_cmp(&rank(b))) else { break };
         let (branch, ..) = waiting.swap_remove(best);
         let surface = world.follow(&branch);
         radiance += (search.found)(branch.share, surface.radiance);
-        for next in surface.next.into_iter().flatten() {
+        for (i, next) in (0..).zip(surface.next) {
+            let Some(next) = next else { continue };
             age += 1;
-            let whole = branch.share * next.share;
-            if search.dark || whole != Rgb::ZERO {
+            let whole = (search.whole)(branch.share, next.share);
+            if (search.keeps)(whole, i == 0) && (search.dark || whole != Rgb::ZERO) {
                 waiting.push((Branch { share: whole, ..next }, next.share, age));
             }
         }
@@ -82,6 +95,7 @@ fn wrong_orders() {
     assert_eq!(changed!(rank: |whole, _, _| whole.x), "one-channel");
     assert_eq!(changed!(rank: |whole, _, _| luminance(whole)), "luminance");
     assert_eq!(changed!(rank: |whole, _, _| whole.max_element()), "greatest-channel");
+    assert_eq!(changed!(rank: |whole, _, _| whole.length()), "vector-length");
     assert_eq!(changed!(rank: |whole, _, age| whole.y - age as f32 / 8.0), "wrong-order");
 }
 
@@ -107,7 +121,58 @@ fn wrong_budgets() {
 }
 
 #[test]
+fn rays_that_are_lost() {
+    assert_eq!(changed!(keeps: |_, is_first| is_first), "ray-lost");
+    assert_eq!(
+        diagnosis(|world, ray, budget| {
+            let mut radiance = Rgb::ZERO;
+            let mut branch = ray;
+            for _ in 0..budget {
+                let surface = world.follow(&branch);
+                radiance += branch.share * surface.radiance;
+                let Some(next) = surface.next.into_iter().flatten().next() else { return radiance };
+                branch = Branch { share: branch.share * next.share, ..next };
+            }
+            radiance + branch.share * world.background(&branch)
+        }),
+        "ray-lost"
+    );
+    assert_eq!(changed!(keeps: |whole, _| whole.min_element() != 0.0), "channel-zero-dropped");
+    assert_eq!(changed!(keeps: |whole, _| whole.x != 0.0), "channel-zero-dropped");
+    assert_eq!(changed!(keeps: |whole, _| whole.z != 0.0), "channel-zero-dropped");
+    assert_eq!(changed!(keeps: |whole, _| whole.element_sum() / 3.0 > 1e-12), "weak-dropped");
+    assert_eq!(changed!(keeps: |whole, _| whole.element_sum() / 3.0 > 1e-24), "weak-dropped");
+}
+
+#[test]
+fn rays_that_count_twice() {
+    // What waits is followed in the end.
+    assert_eq!(
+        diagnosis(|world, ray, budget| {
+            let mut radiance = Rgb::ZERO;
+            let mut waiting = vec![ray];
+            for _ in 0..budget {
+                let rank = |i: &usize| waiting[*i].share.element_sum();
+                let Some(best) = (0..waiting.len()).max_by(|a, b| rank(a).total_cmp(&rank(b))) else { break };
+                let branch = waiting.swap_remove(best);
+                let surface = world.follow(&branch);
+                radiance += branch.share * surface.radiance;
+                let next = surface.next.into_iter().flatten();
+                waiting.extend(next.map(|next| Branch { share: branch.share * next.share, ..next }));
+            }
+            radiance + waiting.iter().map(|b| b.share * world.follow(b).radiance).sum::<Rgb>()
+        }),
+        "rest-followed"
+    );
+    assert_eq!(changed!(ends: |followed, waiting, budget| followed + waiting >= budget as usize), "waiting-counted");
+    assert_eq!(changed!(ends: |followed, waiting, budget| followed + waiting > budget as usize), "waiting-counted");
+}
+
+#[test]
 fn wrong_sums() {
+    assert_eq!(changed!(whole: |parent, share| parent + share), "shares-added");
+    assert_eq!(diagnosis(|world, ray, budget| run(&RIGHT, world, ray, budget).min(Rgb::ONE)), "clamped");
+    assert_eq!(changed!(found: |whole, radiance| whole * radiance * f32::NAN), "not-a-number");
     assert_eq!(changed!(guess: |_, _| Rgb::ZERO), "rest-forgotten");
     assert_eq!(changed!(guess: |_, background| background), "rest-unweighted");
     assert_eq!(changed!(found: |_, radiance| radiance), "shares-missing");

@@ -2,6 +2,7 @@
 
 use common::Vec3;
 use ray_casting::hit::{Hit, Side};
+use shadows::offset::Offset;
 
 use crate::{
     checks::checkerboard::{Answer, check},
@@ -31,7 +32,12 @@ fn surfaces(is_dark_at: fn(&Hit, f32) -> bool) -> &'static str {
 #[test]
 fn the_right_one_is_accepted() {
     assert_eq!(check(RIGHT), Ok(()));
-    // Whole numbers are as good, if they are wide enough or wrap.
+    // Whole numbers are as good.
+    let is_dark: fn(Vec3, f32) -> bool = |p, size| {
+        let [i, j, k] = (p / size).floor().to_array().map(|x| x as i32);
+        (i + j + k) % 2 != 0
+    };
+    assert_eq!(check(Answer { is_dark, ..RIGHT }), Ok(()));
     let is_dark: fn(Vec3, f32) -> bool = |p, size| {
         let [i, j, k] = (p / size).floor().to_array().map(|x| x as i64);
         (i ^ j ^ k) & 1 == 1
@@ -89,7 +95,57 @@ fn wrong_sizes() {
 }
 
 #[test]
+fn wrong_far_away() {
+    assert_eq!(
+        cubes(|p, size| {
+            let [i, j, k] = (p / size).floor().to_array().map(|x| x as i8);
+            (i ^ j ^ k) & 1 == 1
+        }),
+        "far-away"
+    );
+    assert_eq!(
+        cubes(|p, size| {
+            let [i, j, k] = (p / size).floor().to_array().map(|x| x as i16);
+            (i ^ j ^ k) & 1 == 1
+        }),
+        "far-away"
+    );
+    assert_eq!(
+        cubes(|p, size| is_dark(p.clamp(Vec3::splat(-50.0 * size), Vec3::splat(50.0 * size)), size)),
+        "far-away"
+    );
+}
+
+#[test]
+fn wrong_depths() {
+    assert_eq!(
+        surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * size * 0.01, size)),
+        "too-far-behind"
+    );
+    assert_eq!(surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * size * 0.5, size)), "too-far-behind");
+    assert_eq!(surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * size * 0.002, size)), "too-far-behind");
+    assert_eq!(surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * size * 0.9, size)), "too-far-behind");
+    assert_eq!(
+        surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * size * 1e-4, size)),
+        "not-far-enough"
+    );
+    assert_eq!(surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * size * 0.3, size)), "wrong-depth");
+    assert_eq!(
+        surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal.signum() * size * 0.001, size)),
+        "not-along-the-normal"
+    );
+}
+
+#[test]
 fn wrong_surfaces() {
+    assert_eq!(
+        surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * (0.001 / size), size)),
+        "divided-by-size"
+    );
+    assert_eq!(
+        surfaces(|hit, size| is_dark(Offset::Following.origin(hit, -hit.geometric_normal), size)),
+        "offset-of-a-ray"
+    );
     assert_eq!(surfaces(|hit, size| is_dark(hit.position, size)), "on-the-border");
     assert_eq!(
         surfaces(|hit, size| is_dark(hit.position + hit.geometric_normal * size * 0.001, size)),

@@ -24,6 +24,7 @@ type Branches = [Option<Branch>; 4];
 
 /// How rays are sent on, as the right answer does it, with one thing to change.
 struct Recipe {
+    normal: fn(&Hit) -> Vec3,
     relative: fn(Rgb, Side) -> Rgb,
     reflectance: fn(f32, Rgb) -> Rgb,
     refracted: fn(Vec3, Vec3, f32) -> Option<Vec3>,
@@ -33,6 +34,7 @@ struct Recipe {
 }
 
 const RIGHT: Recipe = Recipe {
+    normal: |hit| hit.shading_normal,
     relative: |n, side| if side == Side::Inside { n.recip() } else { n },
     reflectance: |cosine, n| Rgb::from_array(n.to_array().map(|n| exact(cosine, n, 0.0))),
     refracted: refract,
@@ -41,7 +43,7 @@ const RIGHT: Recipe = Recipe {
 };
 
 fn by(recipe: &Recipe, ray: &Ray, hit: &Hit, index: Rgb) -> Branches {
-    let normal = hit.shading_normal;
+    let normal = (recipe.normal)(hit);
     let index = (recipe.relative)(index, hit.side);
     let f = (recipe.reflectance)(-ray.direction.dot(normal), index);
     let branch = |kind, side: f32, direction, share| {
@@ -103,6 +105,51 @@ fn wrong_indices() {
     assert_eq!(indices(|a, b, nm| a - b * 1e6 / (nm * nm)), "minus");
     assert_eq!(indices(|a, b, nm| cauchy(b, a, nm)), "swapped");
     assert_eq!(indices(|a, _, _| a), "nanometers");
+    assert_eq!(indices(|_, b, nm| b * 1e6 / (nm * nm)), "a-missing");
+    assert_eq!(indices(|a, b, nm| a + b / (nm * 1e-6 * nm * 1e-6)), "wrong-unit");
+    assert_eq!(indices(|_, _, _| f32::NAN), "not-a-number");
+}
+
+#[test]
+fn wrong_normals() {
+    assert_eq!(diagnosis!(normal: |hit| hit.geometric_normal), "geometric-normal");
+    // One of the three that need it.
+    assert_eq!(
+        name(verdict(|ray, hit, n| {
+            let [reflected, ..] = by(&RIGHT, ray, hit, n);
+            let [_, r, g, b] = by(&Recipe { normal: |hit| hit.geometric_normal, ..RIGHT }, ray, hit, n);
+            [reflected, r, g, b]
+        })),
+        "geometric-normal"
+    );
+    assert_eq!(
+        name(verdict(|ray, hit, n| {
+            let right = by(&RIGHT, ray, hit, n);
+            let flat = by(&Recipe { normal: |hit| hit.geometric_normal, ..RIGHT }, ray, hit, n);
+            [0, 1, 2, 3].map(|i| right[i].map(|b| Branch { share: flat[i].map_or(b.share, |f| f.share), ..b }))
+        })),
+        "geometric-normal"
+    );
+    assert_eq!(
+        diagnosis!(change: |hit, b| {
+            let side = if b.kind == Kind::Reflected { 1.0 } else { -1.0 };
+            Branch { ray: Ray::new(Offset::Following.origin(hit, side * hit.shading_normal), b.ray.direction), ..b }
+        }),
+        "offset-by-shading-normal"
+    );
+    // Turned once more, though it faces the ray already.
+    assert_eq!(
+        diagnosis!(normal: |hit| if hit.side == Side::Inside { -hit.shading_normal } else { hit.shading_normal }),
+        "nothing-refracted"
+    );
+    assert_eq!(diagnosis!(reflectance: |cosine, n| (RIGHT.reflectance)(-cosine, n)), "nothing-refracted");
+}
+
+#[test]
+fn wrong_kinds() {
+    assert_eq!(diagnosis!(change: |_, b| Branch { kind: Kind::Reflected, ..b }), "wrong-kind");
+    assert_eq!(diagnosis!(change: |_, b| Branch { kind: Kind::Refracted, ..b }), "wrong-kind");
+    assert_eq!(diagnosis!(change: |_, b| Branch { kind: Kind::Camera, ..b }), "wrong-kind");
 }
 
 #[test]
@@ -135,6 +182,13 @@ fn wrong_sides() {
         diagnosis!(change: |hit, b| Branch { ray: Ray::new(hit.position, b.ray.direction), ..b }),
         "wrong-offset"
     );
+    assert_eq!(
+        diagnosis!(change: |hit, b| {
+            let side = if b.kind == Kind::Reflected { 1.0 } else { -1.0 };
+            Branch { ray: Ray::new(Offset::Bits.origin(hit, side * hit.geometric_normal), b.ray.direction), ..b }
+        }),
+        "offset-by-bits"
+    );
     assert_eq!(diagnosis!(change: |hit, b| Branch { range: Interval::new(hit.t, f32::INFINITY), ..b }), "wrong-range");
 }
 
@@ -146,6 +200,8 @@ fn wrong_total_reflection() {
                           reflectance: |cosine, n| (RIGHT.reflectance)(cosine, n).min(Rgb::splat(0.9))),
         "invented-direction"
     );
+    // The same with a share of zero.
+    assert_eq!(diagnosis!(refracted: |d, n, eta| refract(d, n, eta).or(Some(d))), "invented-direction");
     assert_eq!(
         name(verdict(|ray, hit, n| {
             let branches = by(&RIGHT, ray, hit, n);
@@ -161,6 +217,12 @@ fn wrong_total_reflection() {
         }),
         "total-reflection-dimmed"
     );
+}
+
+/// The right rays, but for the reflected share.
+fn changed(ray: &Ray, hit: &Hit, n: Rgb, change: fn(Rgb) -> Rgb) -> Branches {
+    by(&RIGHT, ray, hit, n)
+        .map(|b| b.map(|b| if b.kind == Kind::Reflected { Branch { share: change(b.share), ..b } } else { b }))
 }
 
 #[test]
@@ -180,6 +242,13 @@ fn wrong_shares() {
         "shares-missing"
     );
     assert_eq!(diagnosis!(shares: |_| [Rgb::X, Rgb::Y, Rgb::Z]), "energy");
+    assert_eq!(
+        name(verdict(|ray, hit, n| changed(ray, hit, n, |f| Rgb::splat(f.element_sum() / 3.0)))),
+        "mean-reflectance"
+    );
+    assert_eq!(name(verdict(|ray, hit, n| changed(ray, hit, n, |f| f * 0.5))), "share-divided");
+    assert_eq!(name(verdict(|ray, hit, n| changed(ray, hit, n, |f| f.with_y(0.0)))), "channel-missing");
+    assert_eq!(name(verdict(|ray, hit, n| changed(ray, hit, n, |f| f * f32::NAN))), "not-a-number");
     assert_eq!(
         name(verdict(|ray, hit, n| by(&RIGHT, ray, hit, n).map(|b| b.filter(|b| b.kind != Kind::Reflected)))),
         "no-reflection"

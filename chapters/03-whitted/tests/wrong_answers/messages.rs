@@ -15,8 +15,9 @@ Tried:    `is_dark` of the point (-3.67, -4.44, -1.85) with size 1, which lies i
 Got:      light
 Expected: dark
 
-All cubes at negative coordinates are light. Their sum is negative, and `%` keeps the sign: −3 % 2
-is −1, not 1. `rem_euclid` gives 1. [remainder-negative]";
+All cubes at negative coordinates are light. Does your code take `%` there? It keeps the sign: −3 %
+2 is −1, not 1, and `rem_euclid` gives 1. Or does it make unsigned numbers of them? `as u32` turns
+all that is negative into 0. [remainder-negative]";
     assert_eq!(message, expected);
 }
 

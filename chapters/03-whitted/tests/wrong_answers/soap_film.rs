@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use common::{Interval, Rgb, float};
+use common::{Interval, Rgb, Vec3, float};
 use ray_casting::{hit::Hit, ray::Ray};
 use shadows::offset::Offset;
 use whitted::{branches::Branch, probe::Kind, reflection::reflect, refraction::refract};
@@ -99,10 +99,68 @@ fn wrong_sums() {
     assert_eq!(films(|c, n, d, l| mean(c, n, |r| airy(r, phase(c, n, d, l)).sqrt())), "not-squared");
     assert_eq!(films(|c, n, d, l| 1.0 - reflectance(c, n, d, l)), "transmitted");
     assert_eq!(films(|c, n, d, l| 0.5 * reflectance(c, n, d, l)), "wrong-reflectance");
+    assert_eq!(films(|_, _, _, _| f32::NAN), "not-a-number");
+}
+
+/// Airy's formula with these signs, by `r` above and below.
+fn quotient([above, below]: [f32; 2], [r_above, r_below]: [f32; 2], phase: f32) -> f32 {
+    let cos = float::cos(phase);
+    2.0 * r_above * (1.0 + above * cos) / (1.0 + r_below * r_below + 2.0 * below * r_below * cos)
+}
+
+#[test]
+fn wrong_formulas() {
+    // At the first question this comes as near to the front alone as 0.046764 to 0.046781.
+    assert_eq!(
+        films(|c, n, d, l| mean(c, n, |r| quotient([1.0, -1.0], [r * r; 2], phase(c, n, d, l)))),
+        "numerator-sign"
+    );
+    assert_eq!(
+        films(|c, n, d, l| mean(c, n, |r| quotient([-1.0, 1.0], [r * r; 2], phase(c, n, d, l)))),
+        "denominator-sign"
+    );
+    assert_eq!(
+        films(|c, n, d, l| mean(c, n, |r| quotient([-1.0, -1.0], [r; 2], phase(c, n, d, l)))),
+        "amplitude-for-its-square"
+    );
+    assert_eq!(
+        films(|c, n, d, l| mean(c, n, |r| quotient([-1.0, -1.0], [r, r * r], phase(c, n, d, l)))),
+        "amplitude-for-its-square"
+    );
+    assert_eq!(films(|c, n, d, l| mean(c, n, |r| airy(r, phase(c, n, d, l).to_degrees()))), "degrees");
+    assert_eq!(films(|c, n, d, l| mean(c, n, |r| airy(r, phase(c, n, d, l).to_radians()))), "degrees");
+    assert_eq!(
+        films(|c, n, d, l| {
+            let i = (1.0 - (1.0 - c * c) * n * n).sqrt();
+            let phase = 4.0 * PI * n * d * i / l;
+            (airy((c - n * i) / (c + n * i), phase) + airy((n * c - i) / (n * c + i), phase)) / 2.0
+        }),
+        "snell-reversed"
+    );
+}
+
+/// The right rays, but mirrored at this normal, and started along that one.
+fn mirrored(ray: &Ray, hit: &Hit, color: Rgb, [normal, start]: [Vec3; 2]) -> [Option<Branch>; 2] {
+    let ray_before = Ray::new(Offset::Following.origin(hit, start), reflect(ray.direction, normal));
+    branches(ray, hit, color)
+        .map(|b| b.map(|b| if b.kind == Kind::Reflected { Branch { ray: ray_before, ..b } } else { b }))
 }
 
 #[test]
 fn wrong_rays() {
+    assert_eq!(
+        rays(|ray, hit, color| branches(ray, hit, color).map(|b| b.map(|b| Branch { kind: Kind::Reflected, ..b }))),
+        "wrong-kind"
+    );
+    assert_eq!(
+        rays(|ray, hit, color| branches(ray, hit, color).map(|b| b.map(|b| {
+            let kind = if b.kind == Kind::Reflected { Kind::Refracted } else { Kind::Reflected };
+            Branch { kind, ..b }
+        }))),
+        "wrong-kind"
+    );
+    assert_eq!(rays(|ray, hit, color| mirrored(ray, hit, color, [hit.geometric_normal; 2])), "geometric-normal");
+    assert_eq!(rays(|ray, hit, color| mirrored(ray, hit, color, [hit.shading_normal; 2])), "offset-by-shading-normal");
     assert_eq!(rays(|ray, hit, color| [branches(ray, hit, color)[0], None]), "ray-missing");
     assert_eq!(rays(|ray, hit, color| branches(ray, hit, Rgb::ONE - color)), "shares-swapped");
     assert_eq!(

@@ -27,11 +27,12 @@
 //!   is outside every ball. What is 0·∞ in floating point, and what comes out when you compare with that?
 //! - A range whose end does not come after its beginning is empty, and nothing lies in it. `Interval` has a function for
 //!   that.
-//! - Balls may be as small as a grain of dust: 0.001 scene units.
+//! - Balls may be as small as a grain of dust, 0.001 scene units, and 10,000 times as far away as they are large. Chapter 1's
+//!   page *Spheres* tells which formula rounding spoils there.
 //! - When an end of the range lies on the surface itself, or the ray just grazes the ball, rounding decides, and either
 //!   answer is accepted.
 //!
-//! The check cannot see whether you take a square root. It is a matter of honor.
+//! The check cannot see whether you call `intersect` or take a square root. It is a matter of honor.
 //!
 //! ## When you are done
 //!

@@ -21,11 +21,12 @@
 //! Fill in `openness` below. The book's pages *Shadow rays* and *Acne and the offset* show all that you need, and
 //! so does `chapters/02-shadows/src/shadow_ray.rs`.
 //!
-//! - The unit vectors `directions` are spread evenly over the whole sphere. Half of them point into the surface. Do not
-//!   leave those out, but turn them round: −ω points out of the surface if ω points into it.
+//! - The unit vectors `directions`, a few or hundreds, lie on the whole sphere. About half of them point into the surface.
+//!   Do not leave those out, but turn them round: −ω points out of the surface if ω points into it.
 //! - N is `hit.geometric_normal`, everywhere. (The interpolated normal would send rays into the surface.)
-//! - Rays start a little above the surface. That little must follow the numbers: the check looks at things that are a
-//!   million times as far from the origin of space as they are large, and at things that nearly touch.
+//! - Rays start a little above the surface, along its normal. That little must follow the numbers, as `Offset::Following`
+//!   does: the check looks at things that are 100,000 times as far from the origin of space as they are large, and at
+//!   grains of dust that nearly touch.
 //! - A direction gets away if nothing lies within `reach` scene units. `reach` may be infinite.
 //! - If there are no directions, or all of them run along the surface, nobody knows: then the answer is 1, and not a NaN.
 //!

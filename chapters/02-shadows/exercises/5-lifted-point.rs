@@ -29,7 +29,9 @@
 //!
 //! ## When you are done
 //!
-//! `cargo exercise 2.5` checks your function and renders a coarse ring twice, as it is and mended.
+//! `cargo exercise 2.5` checks your function and renders a coarse ring twice, as it is and mended. A small dark spike stays
+//! inside the ring. It belongs to the shadow that one side of the ring casts on the other, which keeps its corners: mended
+//! is the terminator, where light fades.
 
 use std::process::ExitCode;
 

@@ -27,12 +27,14 @@
 //! what you need. `is_in_shadow` takes an `Illumination`, which is what one place gives.
 //!
 //! - `jitter` has n·n entries from (0, 0) to below (1, 1). That of the part in column c and row r is `jitter[r * n + c]`.
-//!   n is at least 1.
+//!   n is from 1 to 255.
 //! - `visible` is the share of the n·n places from which light arrives: those that lie above the horizon, N·ω > 0, turn
 //!   their front to the point, M·−ω > 0, and have nothing in the way.
 //! - What lies beyond the place on the panel casts no shadow.
+//! - ω and the distance are measured from `hit.position` to the place. (Only the shadow ray starts a little above.)
 //! - N is `hit.shading_normal`, since brightness is computed with that. Shadow rays start on the side to which the
-//!   geometric normal points, by an offset that follows the numbers: `is_in_shadow` with `Offset::Following` does.
+//!   geometric normal points, by an offset that follows the numbers: `is_in_shadow` with `Offset::Following` does. No
+//!   fixed offset will do: the panel lights things as small as a grain of dust, and things 100,000 scene units away.
 //! - The front is the side to which `edges[0] × edges[1]` points. That vector is at right angles to the panel, and its
 //!   length is the area. So it is A·M, and you need no more than that.
 //! - A panel whose edges are parallel has no area. From it no light arrives, and neither does a NaN.

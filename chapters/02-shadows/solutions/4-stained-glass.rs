@@ -25,16 +25,18 @@
 //! transmittances, `object.material`, and `scene.objects` is the list of all things.
 //!
 //! - The answer is the product of the transmittances of all surfaces between the hit and the light, one factor for each
-//!   time that the shadow ray meets a surface. If there are none it is 1 in all channels.
+//!   time that the shadow ray meets a surface. If there are none it is 1 in all channels. `light.strength` is not in it.
 //! - What is behind the point or beyond the light does not count. The sun is infinitely far away.
 //! - An opaque thing, before, between or behind panes, makes it exactly 0.
 //! - One object may be hit many times: a ball, or a whole window. Every pane counts, and none of them counts twice.
 //! - Two objects may lie in the very same place. Both count. (How do you ask for the second, after the first?)
-//! - There may be hundreds of panes, and they may be as close together as 0.00005 scene units. No fixed limit, and no
-//!   fixed distance.
+//! - There may be thousands of panes, and they may be so close together that their `t` differ in the last digits only. No
+//!   fixed limit, and nothing that you add to `t`.
+//! - However little light is left, it counts.
 //! - Your loop must end, also with clear glass, of transmittance 1, and also when the light stands in the point itself:
 //!   then `direction` is a NaN, `distance` is 0, and nothing is in between.
-//! - The ray starts above the surface as in `is_in_shadow`, by `Offset::Following`.
+//! - The ray starts above the surface as in `is_in_shadow`: on the side of the geometric normal, by an offset that follows
+//!   the numbers, such as `Offset::Following`. A pane may lie 0.00005 scene units above the point.
 //!
 //! ## When you are done
 //!
@@ -48,15 +50,14 @@ use common::{
     picture::Picture,
 };
 use ray_casting::{hit::Hit, light::Illumination, ray::Ray, scene::Scene};
-// STUB: use shadows::{offset::Offset, shadow_ray::is_in_shadow};
 use shadows::offset::Offset;
-// END STUB
 
 /// The share of the light that arrives at `hit`, 0 to 1 for each channel. The material of each object in the scene is its
 /// transmittance.
 fn light_through(scene: &Scene<Rgb>, hit: &Hit, light: &Illumination) -> Rgb {
     // STUB: let _ = (Interval::POSITIVE, Ray::new); // you will need these
-    // STUB: if is_in_shadow(scene, hit, light, Offset::Following) { Rgb::ZERO } else { Rgb::ONE }
+    // STUB: let is_in_shadow = shadows::shadow_ray::is_in_shadow(scene, hit, light, Offset::Following);
+    // STUB: if is_in_shadow { Rgb::ZERO } else { Rgb::ONE }
     let ray = Ray::new(Offset::Following.origin(hit, hit.geometric_normal), light.direction);
     let mut arrives = Rgb::ONE;
     // The order does not matter, so ask one object after the other: none can hide another.

@@ -97,14 +97,19 @@ const INFINITE_END: Mistake = (
 pub(crate) fn check<S: Shape>(make: impl Fn(Vec3, f32) -> S) -> Verdict {
     let ball = Trial::new(&make, Vec3::ZERO, 1.0);
     let toward = Ray::new(Vec3::Z * 3.0, -Vec3::Z);
-    let ranges = [Interval::POSITIVE, Interval::new(0.0, 3.0), Interval::new(3.0, 9.0)];
-    if ranges.iter().all(|range| !ball.answer(&toward, *range)) {
+    // Hits, misses, ways inside the ball and empty ranges: the stub says no to all, a mistake hardly.
+    let ends =
+        [(0.0, f32::INFINITY), (0.0, 3.0), (3.0, 9.0), (0.0, 1.0), (5.0, 9.0), (2.5, 3.5), (3.0, 0.0), (9.0, 0.0)];
+    let beside = Ray::new(Vec3::new(2.0, 0.0, 3.0), -Vec3::Z);
+    let says_no = |ray: &Ray| ends.iter().all(|(min, max)| !ball.answer(ray, Interval::new(*min, *max)));
+    if says_no(&toward) && says_no(&beside) {
         return Err(Diagnosis::not_started("Your ball casts no shadow: `occluded` returns `false` for every ray."));
     }
     outside(&ball, &toward)?;
     inside(&ball, &toward)?;
     lengths(&ball)?;
     other_balls(&make)?;
+    far_balls(&make)?;
     for range in [Interval::new(3.0, 0.0), Interval::new(9.0, 3.0), Interval::new(3.0, 3.0)] {
         let advice = "This range is empty, because its end does not come after its beginning. A light that stands closer than \
                       the offset makes such a range. Ask `range.is_empty()` first.";
@@ -144,9 +149,10 @@ fn outside<S: Shape>(ball: &Trial<S>, toward: &Ray) -> Verdict {
     let advice =
         "The ball lies behind this ray, at negative `t`. The nearest point to the center must lie inside the range.";
     ball.probe(&Ray::new(Vec3::Z * 3.0, Vec3::Z), Interval::POSITIVE, ("ball-behind", advice))?;
-    let advice = "This range begins beyond the ball. It is the range that says what counts, also where the way begins.";
+    let advice = "This range begins beyond the ball. The way begins at `range.min`, and not at the ray's origin.";
     ball.probe(toward, Interval::new(5.0, 9.0), ("range-min-ignored", advice))?;
-    let advice = "Both ends of this way lie outside the ball, and its middle goes right through the center.";
+    let advice = "Both ends of this way lie outside the ball, and the point nearest to the center, at t = 3, is the center itself. \
+                  (The nearest point is not the middle of the range.)";
     for range in [Interval::new(0.0, 9.0), Interval::POSITIVE] {
         ball.probe(toward, range, ("missed", advice))?;
     }
@@ -167,18 +173,27 @@ fn inside<S: Shape>(ball: &Trial<S>, toward: &Ray) -> Verdict {
     for end in [2.3, 3.0, 3.5] {
         ball.probe(toward, Interval::new(0.0, end), ("ends-inside", advice))?;
     }
+    let advice = "This range begins inside the ball, at t = 3, and ends outside. What the ray meets before that does not count, but \
+                  it comes out again. The way begins at `range.min`, and not at the ray's origin.";
+    ball.probe(toward, Interval::new(3.0, 9.0), ("range-min-ignored", advice))?;
     let advice = "Both ends of this way lie inside the ball. The ball is hollow: only its surface can be hit, and the way does \
                   not reach it.";
     for range in [Interval::new(2.2, 3.8), Interval::new(2.2, 2.8), Interval::new(3.2, 3.8)] {
         ball.probe(toward, range, ("solid-ball", advice))?;
     }
-    let advice = "This range begins inside the ball, at t = 3. What the ray meets before that does not count, but it comes out \
-                  again.";
-    ball.probe(toward, Interval::new(3.0, 9.0), ("range-min-ignored", advice))
+    Ok(())
 }
 
 /// Directions that are not of unit length.
 fn lengths<S: Shape>(ball: &Trial<S>) -> Verdict {
+    // One end outside, one inside: the nearest point is not asked for.
+    let advice = "`t` counts lengths of the ray's direction, and this direction is not of unit length. The range ends inside the ball, \
+                  but with a direction that is made a unit vector it would end elsewhere: `t` would have another unit. Leave the \
+                  direction as it is.";
+    for (length, end) in [(4.0, 0.75), (0.25, 12.0)] {
+        let ray = Ray::new(Vec3::Z * 3.0, -Vec3::Z * length);
+        ball.probe(&ray, Interval::new(0.0, end), ("normalized", advice))?;
+    }
     let advice = "`t` counts lengths of the ray's direction, and this direction is not of unit length. For the nearest point, \
                   divide by the square of that length.";
     for (length, ends) in [(4.0, [0.4, 0.9, 2.0]), (0.25, [7.0, 10.0, 30.0])] {
@@ -215,6 +230,23 @@ fn other_balls<S: Shape>(make: &impl Fn(Vec3, f32) -> S) -> Verdict {
         let ray = Ray::new(Vec3::new(x, 0.0, 0.003), -Vec3::Z);
         for end in [0.001, 0.003, 0.009] {
             grain.probe(&ray, Interval::new(0.0, end), ("fixed-epsilon", advice))?;
+        }
+    }
+    Ok(())
+}
+
+/// Small balls far away.
+fn far_balls<S: Shape>(make: &impl Fn(Vec3, f32) -> S) -> Verdict {
+    let advice = "This ball is small and far away. If you compute h² − a·c: that is the small difference of two great numbers, and \
+                  rounding eats it (chapter 1 shows it). Ask how far the nearest point of the ray is from the center: that is a small \
+                  number from the beginning.";
+    let mut dice = Dice::new(121);
+    for _ in 0..100 {
+        let ball = Trial::new(make, dice.direction().normalize() * 100.0, 0.01);
+        let origin = dice.point(1.0);
+        for aside in [0.2, 4.0] {
+            let aim = ball.center + dice.direction().normalize() * aside * ball.radius;
+            ball.probe(&Ray::new(origin, aim - origin), Interval::new(0.0, 9.0), ("far-ball", advice))?;
         }
     }
     Ok(())

@@ -27,8 +27,8 @@ struct Recipe {
     below: Below,
     /// The weight of a direction, by its cosine.
     weight: fn(f64) -> f64,
-    /// Openness from the weights that get away, all weights, and the number of directions.
-    value: fn(f64, f64, f64) -> f64,
+    /// Openness from the weights that get away, all weights, and the numbers of all directions and of those that get away.
+    value: fn(f64, f64, [f64; 2]) -> f64,
     /// How far the rays look, when asked to look that far.
     reach: fn(f64) -> f64,
 }
@@ -36,8 +36,13 @@ struct Recipe {
 #[derive(Clone, Copy, PartialEq)]
 enum Below {
     Turned,
+    Mirrored,
     LeftOut,
     Blocked,
+    /// Blocked, with a weight below zero.
+    Negative,
+    /// Turned, with a weight below zero.
+    TurnedLate,
 }
 
 const RIGHT: Recipe = Recipe {
@@ -51,7 +56,7 @@ const RIGHT: Recipe = Recipe {
 type Mistake = (&'static str, Recipe, &'static str);
 
 /// Mistakes in the sums.
-const SUMS: [Mistake; 9] = [
+const SUMS: [Mistake; 14] = [
     (
         "cosine-forgotten",
         Recipe { weight: |_| 1.0, ..RIGHT },
@@ -65,9 +70,26 @@ const SUMS: [Mistake; 9] = [
     ),
     (
         "divided-by-count",
-        Recipe { value: |open, _, count| open / count, ..RIGHT },
+        Recipe { value: |open, _, [count, _]| open / count, ..RIGHT },
         "This sum of cosines is divided by the number of directions. Divide it by the sum of all cosines: with that, an \
          open plain comes to 1.",
+    ),
+    (
+        "divided-by-count",
+        Recipe { value: |open, _, [count, _]| 2.0 * open / count, ..RIGHT },
+        "This sum of cosines is divided by half the number of directions, which fits only in the mean over very many. Divide it by \
+         the sum of all cosines: with that, an open plain comes to 1.",
+    ),
+    (
+        "count-by-cosines",
+        Recipe { value: |_, all, [_, away]| away / all, ..RIGHT },
+        "This is the number of directions that get away, divided by the sum of all cosines. Above the line, too, each direction \
+         counts with its cosine.",
+    ),
+    (
+        "mirrored",
+        Recipe { below: Below::Mirrored, ..RIGHT },
+        "Directions that point into the surface seem to be mirrored at it. Turn them round instead, which is simpler: `-direction`.",
     ),
     (
         "sum-not-mean",
@@ -98,6 +120,18 @@ const SUMS: [Mistake; 9] = [
         "not-turned-round",
         Recipe { below: Below::Blocked, ..RIGHT },
         "Directions that point into the surface seem to count as blocked. Turn them round before you send the ray.",
+    ),
+    (
+        "not-turned-round",
+        Recipe { below: Below::Negative, ..RIGHT },
+        "Directions that point into the surface count with a negative cosine. Turn them round before you send the ray and compute \
+         the cosine.",
+    ),
+    (
+        "cosine-too-early",
+        Recipe { below: Below::TurnedLate, ..RIGHT },
+        "Directions that point into the surface are turned round, but their cosine is still negative. Compute it from the turned \
+         direction.",
     ),
 ];
 
@@ -131,36 +165,50 @@ impl Question {
     /// What comes out by a recipe.
     fn value(&self, recipe: &Recipe) -> f64 {
         let reach = (recipe.reach)(f64::from(self.reach));
-        let (mut open, mut all) = (0.0, 0.0);
+        let (mut open, mut all, mut away) = (0.0, 0.0, 0.0);
+        let normal = self.hit.geometric_normal;
         for &direction in &self.directions {
-            let cosine = direction.as_dvec3().dot(self.hit.geometric_normal.as_dvec3());
+            let cosine = direction.as_dvec3().dot(normal.as_dvec3());
             let is_below = cosine < 0.0;
             if is_below && recipe.below == Below::LeftOut {
                 continue;
             }
-            let weight = (recipe.weight)(cosine.abs());
+            let is_negative = is_below && matches!(recipe.below, Below::Negative | Below::TurnedLate);
+            let weight = (recipe.weight)(cosine.abs()) * if is_negative { -1.0 } else { 1.0 };
             all += weight;
-            let outward = if is_below { -direction } else { direction };
-            let is_blocked = is_below && recipe.below == Below::Blocked;
+            let outward = match recipe.below {
+                Below::Mirrored if is_below => direction.reflect(normal),
+                _ if is_below => -direction,
+                _ => direction,
+            };
+            let is_blocked = is_below && matches!(recipe.below, Below::Blocked | Below::Negative);
             if !is_blocked && self.way(outward, reach) == Way::Free {
                 open += weight;
+                away += 1.0;
             }
         }
         #[expect(clippy::cast_precision_loss, reason = "few directions")]
         let count = self.directions.len() as f64;
-        (recipe.value)(open, all, count)
+        (recipe.value)(open, all, [count, away])
     }
 
     fn tried(&self) -> String {
         let directions = match &*self.directions {
             [] => "no directions".into(),
             [only] => format!("the only direction {}", words::triple(*only)),
+            [first, second, .., last] if self.directions.len() > 12 => {
+                let [first, second, last] = [*first, *second, *last].map(words::triple);
+                format!("{} directions: {first}, {second} and so on to {last}", self.directions.len())
+            }
             all => format!("the directions {}", all.iter().map(|d| words::triple(*d)).collect::<Vec<_>>().join(", ")),
         };
         let reach = if self.reach.is_finite() { self.reach.to_string() } else { "∞".into() };
         format!("{}, reach {reach}, {directions}, {}", words::hit(&self.hit), self.blockers.words())
     }
 }
+
+/// Not the name of a mistake: what came out is of no known kind.
+const OTHER: &str = "other";
 
 /// The function under test.
 struct Trial<F>(F);
@@ -184,8 +232,16 @@ impl<F: Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32> Trial<F> {
                 "not-a-number",
                 "Something was divided by zero: what if there are no directions, or all of them run along the surface?",
             )
+        } else if let Some((name, _, advice)) = known {
+            (*name, *advice)
+        } else if name != OTHER && got > 1.0001 {
+            (
+                "above-one",
+                "Openness is a share, and no share is above 1. What stands above the line must be a part of what stands below it: \
+                 cosines of the directions that get away, cosines of all directions.",
+            )
         } else {
-            known.map_or((name, advice), |(name, _, advice)| (name, advice))
+            (name, advice)
         };
         Err(Finding {
             tried: question.tried(),
@@ -212,7 +268,7 @@ const ABOVE: [Vec3; 5] = [
 ];
 
 /// Unit vectors below it.
-const BELOW: [Vec3; 3] = [Vec3::new(-0.96, -0.28, 0.0), Vec3::new(0.0, -0.8, 0.6), Vec3::new(0.64, -0.6, 0.48)];
+const BELOW: [Vec3; 3] = [Vec3::new(-0.96, -0.28, 0.0), Vec3::new(0.0, -0.96, 0.28), Vec3::new(0.64, -0.6, 0.48)];
 
 /// Accept a function, or name what is wrong with it.
 pub(crate) fn check(openness: impl Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32) -> Verdict {
@@ -227,8 +283,20 @@ pub(crate) fn check(openness: impl Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32) ->
     // The stub says that everything is open.
     let stub = Question::new(beside.clone(), &down, &both, 9.0);
     let closed = Question::new(Blockers::in_space(&[(Vec3::ZERO, 1.0)]), &Ray::new(Vec3::ZERO, Vec3::X), &ABOVE, 9.0);
-    if [&stub, &closed].iter().all(|question| question.as_ref().is_some_and(|q| trial.answer(q) == 1.0)) {
-        return Err(Diagnosis::not_started("Everything is open so far: `openness` returns 1 even in a closed ball."));
+    let asked: Vec<_> = [&stub, &closed].into_iter().flatten().collect();
+    if let [first, .., last] = &*asked
+        && asked.iter().all(|question| trial.answer(question) == 1.0)
+    {
+        // Sums overflow here, and their ratio is a NaN. The stub has none.
+        let overflow = Question { directions: vec![first.hit.geometric_normal * f32::MAX; 3], ..(*first).clone() };
+        if trial.answer(&overflow) == 1.0 {
+            return Err(Diagnosis::not_started(
+                "Everything is open so far: `openness` returns 1 even in a closed ball.",
+            ));
+        }
+        let advice = "Nothing ever seems to be in the way, not even of rays inside a closed ball. Does the range of the shadow ray go \
+                      from 0 to `reach`, and is what gets away told from what does not?";
+        trial.probe(last, "all-open", advice)?;
     }
 
     let plain = Blockers::on_floor(&[]);
@@ -238,12 +306,13 @@ pub(crate) fn check(openness: impl Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32) ->
         let advice = "Even on an open plain nothing gets away. Do the rays start below the surface, or go into it?";
         trial.probe(&question, "all-blocked", advice)?;
     }
+    let up = "Nothing but the floor is there, and all of these directions point upward. They all get away. If the floor hides \
+              itself: do the rays start above it, by `Offset::Following.origin(hit, normal)`?";
     let advice = "Work it out on paper: which of these directions meet a ball, and what are their cosines?";
     ask(&beside, &down, &ABOVE, 9.0, &SUMS, "wrong-openness", advice)?;
-    let up = "Nothing but the floor is there, and all of these directions point upward. They all get away.";
     ask(&plain, &down, &ABOVE, 9.0, &[], "open-plain", up)?;
     let turn = "Nothing but the floor is there, but some of these directions point into it. Turn those round.";
-    ask(&plain, &down, &both, 9.0, &[], "not-turned-round", turn)?;
+    ask(&plain, &down, &both, 9.0, &SUMS, "not-turned-round", turn)?;
     ask(&beside, &down, &both, 9.0, &SUMS, "wrong-openness", advice)?;
 
     let advice =
@@ -254,6 +323,7 @@ pub(crate) fn check(openness: impl Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32) ->
         ask(&beside, &down, &both, reach, &[NO_REACH], "wrong-reach", advice)?;
     }
     nobody_knows(&trial, &plain, &down)?;
+    many_directions(&trial, &beside, &down)?;
     normals(&trial, &both)?;
     offsets(&trial)?;
 
@@ -267,6 +337,25 @@ pub(crate) fn check(openness: impl Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32) ->
         let reach = dice.choice([0.5, 1.0, 3.0, f32::INFINITY]);
         let advice = "Work it out on paper: which of these directions, turned outward, meet a ball before `reach`?";
         ask(&Blockers::on_floor(&balls), &ray, &directions, reach, &[], "wrong-openness", advice)?;
+    }
+    Ok(())
+}
+
+/// More directions than one would write down.
+fn many_directions<F>(trial: &Trial<F>, beside: &Blockers, down: &Ray) -> Verdict
+where
+    F: Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32,
+{
+    let mut dice = Dice::new(222);
+    for count in [50, 300] {
+        // The last ones point at a ball, which no fair share of the first does.
+        let toward = |dice: &mut Dice| (Vec3::new(1.2, 0.9, 0.0) + dice.point(0.1)).normalize();
+        let directions: Vec<_> =
+            (0..count).map(|i| if i < count / 2 { dice.direction().normalize() } else { toward(&mut dice) }).collect();
+        let advice = "There are many directions here. Does the loop go through all of them?";
+        if let Some(question) = Question::new(beside.clone(), down, &directions, 9.0) {
+            trial.probe(&question, "few-directions", advice)?;
+        }
     }
     Ok(())
 }
@@ -319,15 +408,16 @@ where
             3.0,
             1.0,
             "self-shadow",
-            "There is nothing but one ball here, seen from outside, so that all directions get away. A ray that starts on \
-             the surface itself hits it at once: start a little above, `Offset::Following.origin(hit, normal)`.",
+            "There is nothing but one ball here, seen from outside, so that all directions get away. A ray hits the \
+             surface that it leaves if it starts on it, or too little above it, or beside it along its own direction. Start above \
+             it, along the normal: `Offset::Following.origin(hit, normal)`.",
         ),
         (
             1e5,
             1.0,
             "fixed-offset",
             "There is nothing but one ball here, seen from outside, so that all directions get away. But its numbers are \
-             great, and so are their rounding errors. A fixed offset is lost among them: `Offset::Following` is not.",
+             great, and so are their rounding errors. An offset that does not grow with them is lost: `Offset::Following` does.",
         ),
     ] {
         for _ in 0..200 {
@@ -338,6 +428,17 @@ where
             if let Some(question) = Question::new(ball, &ray, &directions, f32::INFINITY) {
                 trial.probe(&question, name, advice)?;
             }
+        }
+    }
+    let plain = Blockers::on_floor(&[]);
+    for _ in 0..400 {
+        let ray = Ray::new(Vec3::Y * 9.0 + dice.point(3.0), -Vec3::Y + dice.point(0.4));
+        let directions = [(); 4].map(|()| dice.direction().normalize());
+        let advice = "There is nothing but the floor here, so that all directions get away: the floor hides itself. Rays that start \
+                      too little above it, or beside it along their own direction, hit it at once. Start above it, along the \
+                      normal: `Offset::Following.origin(hit, normal)`.";
+        if let Some(question) = Question::new(plain.clone(), &ray, &directions, f32::INFINITY) {
+            trial.probe(&question, "self-shadow", advice)?;
         }
     }
     // Two grains that nearly touch: what hides the sky is closer than any fixed offset that would do elsewhere.

@@ -4,157 +4,23 @@ use common::{
     Rgb, Vec2, Vec3,
     exercise::{Diagnosis, Finding, Verdict, dice::Dice, trying},
 };
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use ray_casting::{hit::Hit, ray::Ray, scene::Scene};
 
 use super::{
     blockers::Blockers,
-    panel::{Question, RIGHT, Recipe, cell, parts},
+    panel::{Question, RIGHT},
+    panel_mistakes::{HIDDEN, LIGHT, Mistake, PLACES, SHADOWS},
     words,
 };
 
-/// A mistake that is known by what comes out: name, recipe, advice.
-type Mistake = (&'static str, Recipe, &'static str);
+/// Not the name of a mistake: what came out is of no known kind.
+const OTHER: &str = "other";
 
-/// Mistakes in places and in the mean.
-const PLACES: [Mistake; 10] = [
-    (
-        "sum-not-mean",
-        Recipe { mean: |sum, _, _| sum, ..RIGHT },
-        "This irradiance is a sum over the places. Divide it by their number n·n: each stands for a part of the area only.",
-    ),
-    (
-        "mean-of-the-seen",
-        Recipe { mean: |sum, _, seen| sum / seen, ..RIGHT },
-        "This is the mean over the places that are seen. The hidden ones count too, with 0: divide by n·n.",
-    ),
-    (
-        "shadow-twice",
-        Recipe { mean: |sum, count, seen| sum / count * (seen / count), ..RIGHT },
-        "Hidden places are left out of this irradiance already, and then it is multiplied by the visible share. Once will do.",
-    ),
-    (
-        "center-only",
-        Recipe { place: |_, _, _, _| DVec2::splat(0.5), ..RIGHT },
-        "All places seem to lie in the middle of the panel. Each part of the panel has a place of its own.",
-    ),
-    (
-        "jitter-ignored",
-        Recipe { place: |column, row, n, _| (cell(column, row) + 0.5) / parts(n), ..RIGHT },
-        "All places lie in the middle of their parts. Where in its part a place lies, its entry of `jitter` says.",
-    ),
-    (
-        "jitter-ignored",
-        Recipe { place: |column, row, n, _| cell(column, row) / parts(n), ..RIGHT },
-        "All places lie in the corners of their parts. Where in its part a place lies, its entry of `jitter` says.",
-    ),
-    (
-        "jitter-shared",
-        Recipe { place: |column, row, n, jitter| (cell(column, row) + jitter[0].as_dvec2()) / parts(n), ..RIGHT },
-        "All parts use the first entry of `jitter`. Each has one of its own: `jitter[r * n + c]`.",
-    ),
-    (
-        "jitter-transposed",
-        Recipe {
-            place: |column, row, n, jitter| (cell(column, row) + jitter[column * n + row].as_dvec2()) / parts(n),
-            ..RIGHT
-        },
-        "Rows and columns are mixed up: the part in column c and row r takes `jitter[r * n + c]`. The column goes along \
-         `edges[0]`, the row along `edges[1]`.",
-    ),
-    (
-        "jitter-not-divided",
-        Recipe {
-            place: |column, row, n, jitter| cell(column, row) / parts(n) + jitter[row * n + column].as_dvec2(),
-            ..RIGHT
-        },
-        "The jitter moves a place within its part, and a part is 1/n of the panel wide: add first, then divide by n.",
-    ),
-    (
-        "no-grid",
-        Recipe { place: |column, row, n, jitter| jitter[row * n + column].as_dvec2(), ..RIGHT },
-        "The places are spread over the whole panel by the jitter alone. Add the column and the row, and divide by n.",
-    ),
-];
-
-/// Mistakes in what one place gives.
-const LIGHT: [Mistake; 8] = [
-    (
-        "no-inverse-square",
-        Recipe { strength: |g| g.area * g.surface * g.panel, ..RIGHT },
-        "The light of each place must fall with the square of its distance. If you divide by it: is `direction` a unit \
-         vector in both dot products?",
-    ),
-    (
-        "inverse-not-squared",
-        Recipe { strength: |g| g.area * g.surface * g.panel / g.distance, ..RIGHT },
-        "The light of each place must fall with the square of its distance, not with the distance.",
-    ),
-    (
-        "surface-cosine-forgotten",
-        Recipe { strength: |g| g.area * g.panel / (g.distance * g.distance), ..RIGHT },
-        "The cosine at the surface is missing, N·ω. Irradiance is power per area of the surface, and slanting light is \
-         spread over more of it.",
-    ),
-    (
-        "panel-cosine-forgotten",
-        Recipe { strength: |g| g.area * g.surface / (g.distance * g.distance), ..RIGHT },
-        "The cosine at the panel is missing, M·−ω. Seen from the side a panel looks smaller, and gives less light.",
-    ),
-    (
-        "area-forgotten",
-        Recipe { strength: |g| g.surface * g.panel / (g.distance * g.distance), ..RIGHT },
-        "The area of the panel is missing. It is the length of `edges[0] × edges[1]`: do not normalize that vector.",
-    ),
-    (
-        "area-twice",
-        Recipe { strength: |g| g.area * g.area * g.surface * g.panel / (g.distance * g.distance), ..RIGHT },
-        "The area comes in twice. The length of `edges[0] × edges[1]` is the area already.",
-    ),
-    (
-        "only-radiance",
-        Recipe { strength: |_| 1.0, ..RIGHT },
-        "Here every place gives the same. What it gives depends on its distance and on both cosines.",
-    ),
-    (
-        "divided-by-pi",
-        Recipe {
-            strength: |g| g.area * g.surface * g.panel / (g.distance * g.distance) / std::f64::consts::PI,
-            ..RIGHT
-        },
-        "A division by π too many. It belongs to the material, which has it already: here is asked what arrives.",
-    ),
-];
-
-/// Mistakes in what hides what.
-const SHADOWS: [Mistake; 5] = [
-    (
-        "direction-not-unit",
-        Recipe { reach: |distance| distance * distance, ..RIGHT },
-        "Something behind the panel casts a shadow here. Is `direction` a unit vector? Only then `t` is a distance.",
-    ),
-    (
-        "beyond-the-light",
-        Recipe { reach: |_| f64::INFINITY, ..RIGHT },
-        "Something behind the panel casts a shadow here. The shadow ray ends at the place on the panel: `distance`.",
-    ),
-    (
-        "range-too-short",
-        Recipe { reach: |_| 1.0, ..RIGHT },
-        "This ray sees only what lies within 1 of its start. The direction has unit length, and the range ends at the \
-         distance of the place.",
-    ),
-    (
-        "no-shadow",
-        Recipe { reach: |_| 0.0, ..RIGHT },
-        "Nothing casts a shadow. Ask for each place whether the light from there arrives: `is_in_shadow`.",
-    ),
-    (
-        "below-horizon",
-        Recipe { arrives: |_, panel| panel > 0.0, ..RIGHT },
-        "Places below the horizon of the surface, where N·ω is negative, give nothing.",
-    ),
-];
+/// An answer in words.
+fn told((visible, irradiance): (f64, DVec3)) -> String {
+    format!("visible {}, irradiance {}", words::number(visible), words::rounded(irradiance))
+}
 
 /// The function under test.
 struct Trial<F>(F);
@@ -179,7 +45,13 @@ impl<F: Fn([Vec3; 3], Rgb, &Scene<()>, &Hit, u16, &[Vec2]) -> (f32, Rgb)> Trial<
         if is(expected) {
             return Ok(());
         }
-        let known = known.iter().copied().flatten().find(|(_, recipe, _)| question.value(recipe).is_some_and(is));
+        // Some mistakes come to nearly the same: the nearest is it.
+        let fits = |mistake| {
+            let (_, recipe, _): &Mistake = mistake;
+            question.value(recipe).filter(|value| is(*value)).map(|value| (mistake, value.1.distance(got.1)))
+        };
+        let known = known.iter().copied().flatten().chain(&HIDDEN).filter_map(fits);
+        let known = known.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(mistake, _)| mistake);
         let is_gray = got.1 == DVec3::splat(got.1.x) && expected.1 != DVec3::splat(expected.1.x);
         let (name, advice) = if !got.0.is_finite() || !got.1.is_finite() {
             ("not-a-number", "Something was divided by zero, or a vector of length zero was normalized.")
@@ -190,19 +62,23 @@ impl<F: Fn([Vec3; 3], Rgb, &Scene<()>, &Hit, u16, &[Vec2]) -> (f32, Rgb)> Trial<
                 "one-channel",
                 "All three channels are the same, but those of the radiance differ. Compute with the whole `Rgb`.",
             )
+        } else if name != OTHER && got.0 > 1.0001 {
+            ("not-a-share", "`visible` is a share of the places, and no share is above 1. Divide by n·n.")
         } else {
             (name, advice)
         };
-        let told = |(visible, irradiance): (f64, DVec3)| {
-            format!("visible {}, irradiance {}", words::number(visible), words::rounded(irradiance))
-        };
-        Err(Finding { tried: question.tried(), got: told(got), expected: told(expected), advice: advice.into() }
-            .named(name))
+        let places = question.places().map(|places| format!(", from the {places}")).unwrap_or_default();
+        Err(Finding {
+            tried: question.tried(),
+            got: told(got),
+            expected: format!("{}{places}", told(expected)),
+            advice: advice.into(),
+        }
+        .named(name))
     }
 
     /// Name one of the known mistakes, if it gives what came out; pass over all others.
     fn known(&self, question: &Question, known: &[&[Mistake]]) -> Verdict {
-        const OTHER: &str = "other";
         self.ask(question, known, OTHER, "").or_else(|diagnosis| match diagnosis.name {
             OTHER => Ok(()),
             _ => Err(diagnosis),
@@ -227,9 +103,14 @@ const MIDDLE: Vec2 = Vec2::splat(0.5);
 
 /// A question about the floor, in the origin of space.
 fn on_floor(balls: &[(Vec3, f32)], panel: [Vec3; 3], n: u16, jitter: &[Vec2]) -> Question {
+    on_floor_at(Vec3::ZERO, balls, panel, n, jitter)
+}
+
+/// A question about the floor at some place.
+fn on_floor_at(place: Vec3, balls: &[(Vec3, f32)], panel: [Vec3; 3], n: u16, jitter: &[Vec2]) -> Question {
     let blockers = Blockers::on_floor(balls);
     // A hit of a floor that is there: at height 0, its normal upward.
-    let down = Ray::new(Vec3::Y * 0.1, -Vec3::Y);
+    let down = Ray::new(place + Vec3::Y * 0.1, -Vec3::Y);
     let hit = blockers.hit(&down).unwrap_or_else(|| Hit::new(&down, 0.1, Vec3::Y));
     Question { blockers, hit, panel, radiance: RADIANCE, n, jitter: jitter.to_vec() }
 }
@@ -241,19 +122,18 @@ const FOUR: [Vec2; 4] = [Vec2::new(0.1, 0.2), Vec2::new(0.9, 0.3), Vec2::new(0.3
 pub(crate) fn check(light: impl Fn([Vec3; 3], Rgb, &Scene<()>, &Hit, u16, &[Vec2]) -> (f32, Rgb)) -> Verdict {
     let trial = Trial(light);
     let plain = on_floor(&[], OVERHEAD, 1, &[MIDDLE]);
-    let leaning = on_floor(&[], LEANING, 2, &FOUR);
-    if [&plain, &leaning].iter().all(|question| trial.answer(question) == (0.0, DVec3::ZERO)) {
-        return Err(Diagnosis::not_started("Your panel is dark: `light` returns nothing anywhere."));
-    }
+    let leaning = on_floor_at(Vec3::new(-0.5, 0.0, 0.25), &[], LEANING, 2, &FOUR);
+    dark(&trial, &[&plain, &leaning])?;
     // What is known by what comes out, where no two mistakes look alike; then step by step.
     trial.known(&leaning, &[&PLACES, &LIGHT])?;
-    let advice = "One place in the middle of the panel, and nothing in the way. Work it out on paper: area, distance, and \
-                  both cosines.";
+    let advice = "One place in the middle of the panel, and nothing in the way. Work it out on paper: the place from u, v and \
+                  the corner, then area, distance, and both cosines.";
     trial.ask(&plain, &[&LIGHT], "wrong-light", advice)?;
     let advice = "One place, and nothing in the way, but the panel leans, and the place is not in its middle. Work it out on \
-                  paper: area, distance, and both cosines.";
+                  paper: the place from u, v and the corner, then area, distance, and both cosines.";
     trial.ask(&on_floor(&[], LEANING, 1, &[Vec2::new(0.2, 0.7)]), &[&LIGHT], "wrong-light", advice)?;
-    let advice = "Four places, and nothing in the way. Work them out on paper, one by one.";
+    let advice = "Four places, and nothing in the way. Work them out on paper, one by one: u and v, the place, what it gives; \
+                  and then the mean, over n·n.";
     trial.probe(&leaning, "wrong-places", advice)?;
     shadows(&trial)?;
     horizons(&trial)?;
@@ -278,6 +158,59 @@ pub(crate) fn check(light: impl Fn([Vec3; 3], Rgb, &Scene<()>, &Hit, u16, &[Vec2
     Ok(())
 }
 
+/// Nothing arrives, where something should: has nobody begun, or is a sign turned?
+fn dark<F>(trial: &Trial<F>, questions: &[&Question]) -> Verdict
+where
+    F: Fn([Vec3; 3], Rgb, &Scene<()>, &Hit, u16, &[Vec2]) -> (f32, Rgb),
+{
+    let is_dark = |question: &Question| trial.answer(question) == (0.0, DVec3::ZERO);
+    let Some(first) = questions.first().filter(|_| questions.iter().all(|q| is_dark(q))) else { return Ok(()) };
+    let [corner, one, other] = OVERHEAD;
+    let below = corner - Vec3::Y * 4.0;
+    let alone = |panel| Question { blockers: Blockers::in_space(&[]), panel, ..(*first).clone() };
+    // What gives light instead tells the mistake.
+    let others = [
+        (
+            "sign-of-the-front",
+            alone([corner, other, one]),
+            "Nothing arrives from this panel, but something does when its back is turned to the point. Is a sign turned? The front \
+             is the side to which `edges[0] × edges[1]` points, in this order, and its cosine is that of −ω: \
+             `-direction.dot(area)`.",
+        ),
+        (
+            "sign-of-the-way",
+            alone([below, one, other]),
+            "Nothing arrives from this panel, but something does when it lies below the surface. Is ω turned round? It points from \
+             the surface to the light: place − `hit.position`.",
+        ),
+        (
+            "sign-of-the-horizon",
+            alone([below, other, one]),
+            "Nothing arrives from this panel, but something does from below the horizon. Is the sign of the cosine at the surface \
+             turned? It is N·ω, where ω points from the surface to the light.",
+        ),
+        (
+            "shadow-turned",
+            on_floor(&[(Vec3::new(-0.25, 1.0, 0.0), 0.8)], OVERHEAD, 1, &[MIDDLE]),
+            "Nothing arrives from this panel, but something does when a ball hides it. Is there a `!` too few or too many? A place \
+             counts if it is not in shadow.",
+        ),
+    ];
+    for (name, question, advice) in others {
+        if !is_dark(&question) {
+            let expected = first.value(&RIGHT).map(told).unwrap_or_default();
+            let got = told((0.0, DVec3::ZERO));
+            return Err(Finding { tried: first.tried(), got, expected, advice: advice.into() }.named(name));
+        }
+    }
+    // A place that is left out gives light somewhere else.
+    let all_dark = questions.iter().all(|q| is_dark(&Question { blockers: Blockers::in_space(&[]), ..(*q).clone() }));
+    if all_dark {
+        return Err(Diagnosis::not_started("Your panel is dark: `light` returns nothing anywhere."));
+    }
+    Ok(())
+}
+
 /// What hides what.
 fn shadows<F>(trial: &Trial<F>) -> Verdict
 where
@@ -291,6 +224,10 @@ where
     let places: Vec<_> = places.collect();
     let advice = "A ball stands before one place on the panel, and another one behind. Find out for each place by itself \
                   whether it is seen.";
+    let middle = LEANING[0] + (LEANING[1] + LEANING[2]) / 2.0;
+    let between = on_floor(&[(middle * 0.4, 0.06)], LEANING, 2, &FOUR);
+    let beside = "A small ball stands before the middle of the panel, and hides none of the four places.";
+    trial.ask(&between, &[&SHADOWS, &PLACES], "wrong-shadow", beside)?;
     for (before, near, behind, far) in [(0, 0.3, 3, 4.0), (0, 0.6, 3, 1.3), (2, 0.6, 1, 1.3), (3, 0.6, 0, 1.3)] {
         let balls = [(places[before] * near, 0.06), (places[behind] * far, 0.06)];
         trial.ask(&on_floor(&balls, LEANING, 2, &FOUR), &[&SHADOWS, &PLACES], "wrong-shadow", advice)?;
@@ -323,7 +260,11 @@ where
     // The same without a floor that would hide what is below.
     let slope = Blockers::in_space(&[(Vec3::new(0.0, -1.0, 0.0), 1.0)]);
     trial.probe(&Question { blockers: slope, ..sunk.clone() }, "below-horizon", advice)?;
-    trial.probe(&Question { blockers: Blockers::in_space(&[]), ..sunk }, "below-horizon", advice)
+    trial.probe(&Question { blockers: Blockers::in_space(&[]), ..sunk.clone() }, "below-horizon", advice)?;
+    let advice = "A part of this panel lies below the horizon of the surface, and its back is turned to the point. No light \
+                  arrives from any of it. Ask for both signs by themselves.";
+    let turned = [upright[0], upright[2], upright[1]];
+    trial.probe(&Question { blockers: Blockers::in_space(&[]), panel: turned, ..sunk }, "both-behind", advice)
 }
 
 /// Normals for shading that are not those of the surface.
@@ -355,10 +296,10 @@ where
              surface itself hits it at once. `is_in_shadow` starts a little above it.",
         ),
         (
-            1e4,
+            1e5,
             "fixed-offset",
             "There is nothing but one ball here, so that all places above the horizon are seen. But its numbers are great, and \
-             so are their rounding errors. A fixed offset is lost among them: `Offset::Following` is not.",
+             so are their rounding errors. An offset that does not grow with them is lost: `Offset::Following` does.",
         ),
     ] {
         let center = Vec3::splat(k);
@@ -387,7 +328,14 @@ where
             }
         }
     }
-    Ok(())
+    // Two grains of dust nearly touch, and one hides the whole panel from the other.
+    let grains = Blockers::in_space(&[(Vec3::ZERO, 1e-3), (Vec3::new(0.0, 2.05e-3, 0.0), 1e-3)]);
+    let ray = Ray::new(Vec3::new(4e-3, 1.02e-3, 0.0), Vec3::new(-4e-3, -0.1e-3, 0.0));
+    let Some(hit) = grains.hit(&ray) else { return Ok(()) };
+    let question = Question { blockers: grains, hit, panel: OVERHEAD, radiance: RADIANCE, n: 2, jitter: FOUR.to_vec() };
+    let advice = "Two grains of dust nearly touch here, and one hides the panel from the other. A fixed offset jumps from the one to \
+                  behind the surface of the other: the offset must follow the numbers. `Offset::Following` does.";
+    trial.probe(&question, "fixed-offset", advice)
 }
 
 /// Many places come near to the closed form, and few places are right in the mean.

@@ -19,7 +19,10 @@ use ray_casting::{
     sphere::Sphere,
 };
 
-use super::words;
+use super::{
+    pane_mistakes::{Crossing, MISTAKES, Mistake, Recipe, right},
+    words,
+};
 
 /// Level panes without end, one or more of the same glass, which make one object.
 #[derive(Clone)]
@@ -34,6 +37,11 @@ struct Counted {
     asked: Arc<AtomicUsize>,
 }
 
+/// Whether that surface of an object is turned downward: every other one, beginning with the first.
+fn is_turned(number: usize) -> bool {
+    number.is_multiple_of(2)
+}
+
 /// More questions than any sound loop asks for.
 const TOO_OFTEN: usize = 1_000_000;
 
@@ -42,9 +50,9 @@ impl Shape for Counted {
         if self.asked.fetch_add(1, Ordering::Relaxed) > TOO_OFTEN {
             return None;
         }
-        let crossings = self.heights.iter().map(|height| (height - ray.origin.y) / ray.direction.y);
-        let t = crossings.filter(|t| range.contains(*t)).min_by(f32::total_cmp)?;
-        Some(Hit::new(ray, t, Vec3::Y))
+        let crossings = self.heights.iter().map(|height| (height - ray.origin.y) / ray.direction.y).zip(0..);
+        let nearest = crossings.filter(|(t, _)| range.contains(*t)).min_by(|a, b| a.0.total_cmp(&b.0));
+        nearest.map(|(t, number)| Hit::new(ray, t, if is_turned(number) { -Vec3::Y } else { Vec3::Y }))
     }
 }
 
@@ -58,123 +66,11 @@ struct Question {
     light: Illumination,
 }
 
-/// One pane between the hit and anywhere.
-#[derive(Clone, Copy)]
-struct Crossing {
-    t: f64,
-    transmittance: DVec3,
-    object: usize,
-}
-
-/// What comes out of crossings and the light's distance.
-type Recipe = fn(&[Crossing], f64) -> DVec3;
-
-fn product<'a>(crossings: impl IntoIterator<Item = &'a Crossing>) -> DVec3 {
-    crossings.into_iter().fold(DVec3::ONE, |product, crossing| product * crossing.transmittance)
-}
-
-/// Those between the hit and the light.
-fn between(crossings: &[Crossing], distance: f64) -> impl Iterator<Item = &Crossing> {
-    crossings.iter().filter(move |c| c.t > 0.0 && c.t < distance)
-}
-
-fn right(crossings: &[Crossing], distance: f64) -> DVec3 {
-    product(between(crossings, distance))
-}
-
-/// A mistake that is known by what comes out: name, recipe, advice.
-type Mistake = (&'static str, Recipe, &'static str);
-
-const MISTAKES: [Mistake; 14] = [
-    (
-        "no-shadow",
-        |_, _| DVec3::ONE,
-        "All the light arrives. Nothing is multiplied by the transmittance of what is in the way.",
-    ),
-    (
-        "counted-twice",
-        |all, distance| right(all, distance) * right(all, distance),
-        "Every pane counts twice here. If you start new rays: does the next one hit the same pane again? If you move the \
-         beginning of the range: is a hit multiplied both before the loop and in it?",
-    ),
-    (
-        "nearest-only",
-        |all, distance| {
-            between(all, distance).min_by(|a, b| a.t.total_cmp(&b.t)).map_or(DVec3::ONE, |c| c.transmittance)
-        },
-        "Only the nearest pane counts here. Go on behind it, until nothing is hit any more.",
-    ),
-    (
-        "last-only",
-        |all, distance| {
-            between(all, distance).max_by(|a, b| a.t.total_cmp(&b.t)).map_or(DVec3::ONE, |c| c.transmittance)
-        },
-        "Only the farthest pane counts here. Multiply by each transmittance, `*=`, instead of putting it in the place of the \
-         last.",
-    ),
-    (
-        "first-object",
-        |all, distance| between(all, distance).next().map_or(DVec3::ONE, |c| c.transmittance),
-        "Only one object of the scene counts here. Go on with the next one.",
-    ),
-    (
-        "object-once",
-        |all, distance| {
-            let is_first = |c: &&Crossing| !between(all, distance).any(|o| o.object == c.object && o.t < c.t);
-            product(between(all, distance).filter(is_first))
-        },
-        "An object that is hit several times counts only once here. Ask it again, with a range that begins at the last hit.",
-    ),
-    (
-        "sum-not-product",
-        |all, distance| between(all, distance).map(|c| c.transmittance).sum(),
-        "The transmittances are added up. Of what one pane leaves over the next one passes its share: multiply.",
-    ),
-    (
-        "mean-not-product",
-        |all, distance| {
-            let sum: DVec3 = between(all, distance).map(|c| c.transmittance).sum();
-            sum / between(all, distance).fold(0.0, |count, _| count + 1.0)
-        },
-        "This is the mean of the transmittances. Of what one pane leaves over the next one passes its share: multiply.",
-    ),
-    (
-        "darkest-only",
-        |all, distance| between(all, distance).fold(DVec3::ONE, |least, c| least.min(c.transmittance)),
-        "This is the least transmittance of all. Of what one pane leaves over the next one passes its share: multiply.",
-    ),
-    (
-        "complement",
-        |all, distance| between(all, distance).fold(DVec3::ONE, |product, c| product * (DVec3::ONE - c.transmittance)),
-        "This multiplies by 1 minus the transmittance, which is the share that stays in the glass. What passes is asked for.",
-    ),
-    (
-        "absorbed",
-        |all, distance| DVec3::ONE - right(all, distance),
-        "This is the share that stays in the glass. What passes is asked for.",
-    ),
-    (
-        "beyond-the-light",
-        |all, _| right(all, f64::INFINITY),
-        "Something beyond the light counts here. The range ends at the light's distance.",
-    ),
-    (
-        "behind-the-point",
-        |all, distance| product(all.iter().filter(|c| c.t < distance)),
-        "Something behind the point counts here. Only what the ray meets at `t > 0` is in between.",
-    ),
-    (
-        "one-channel",
-        |all, distance| DVec3::splat(right(all, distance).x),
-        "All three channels are the same here. Multiply whole colors, `Rgb` by `Rgb`: that goes channel by channel.",
-    ),
-];
-
 impl Question {
     /// The floor under panes, with a light in some direction.
     fn on_floor(panes: &[Panes], toward: Vec3, distance: f32) -> Self {
         let ray = Ray::new(Vec3::new(0.1, 1.0, 0.2), -Vec3::Y);
-        let light = Illumination { direction: toward.normalize(), distance, strength: Rgb::ONE };
+        let light = Illumination { direction: toward.normalize(), distance, strength: STRENGTH };
         Self { ball: None, hit: Hit::new(&ray, 1.0, Vec3::Y), panes: panes.to_vec(), light }
     }
 
@@ -197,7 +93,11 @@ impl Question {
         let (from, rise) = (f64::from(self.hit.position.y), f64::from(self.light.direction.y));
         let crossings = self.panes.iter().enumerate().flat_map(|(object, panes)| {
             let transmittance = panes.transmittance.as_dvec3();
-            panes.heights.iter().map(move |h| Crossing { t: (f64::from(*h) - from) / rise, transmittance, object })
+            let heights = panes.heights.iter().zip(0..);
+            heights.map(move |(h, number)| {
+                let t = (f64::from(*h) - from) / rise;
+                Crossing { t, transmittance, object, is_turned: is_turned(number) }
+            })
         });
         recipe(&crossings.collect::<Vec<_>>(), f64::from(self.light.distance))
     }
@@ -227,9 +127,22 @@ impl Question {
         let Illumination { direction, distance, .. } = self.light;
         let distance = if distance.is_finite() { distance.to_string() } else { "∞".into() };
         let light = format!("light in direction {} at distance {distance}", words::triple(direction));
-        format!("{} on {thing}, {light}, {}", words::hit(&self.hit), told.join(", "))
+        let leaning = if self.hit.shading_normal == self.hit.geometric_normal {
+            String::new()
+        } else {
+            format!(" and shading normal {}", words::triple(self.hit.shading_normal))
+        };
+        format!("{}{leaning} on {thing}, {light}, {}", words::hit(&self.hit), told.join(", "))
     }
 }
+
+/// Name and advice for a loop without end.
+const ENDLESS: (&str, &str) = (
+    "endless",
+    "The scene was asked a million times, and there would have been no end. Does the loop find the same pane again and again? Let \
+     the range begin at the last hit: `range.min = hit.t`.",
+);
+const NO_END: &str = "no end";
 
 /// The function under test.
 struct Trial<F>(F);
@@ -253,22 +166,25 @@ impl<F: Fn(&Scene<Rgb>, &Hit, &Illumination) -> Rgb> Trial<F> {
             return Ok(());
         }
         let known = known.iter().find(|(_, recipe, _)| is(question.value(*recipe)));
+        let strength = question.light.strength.as_dvec3();
         let (name, advice) = if !has_ended {
-            (
-                "endless",
-                "The scene was asked a million times, and there would have been no end. Does the loop find the same pane again and \
-                 again? Let the range begin at the last hit: `range.min = hit.t`.",
-            )
+            ENDLESS
         } else if got.is_nan() {
             ("not-a-number", "Where does a NaN come from? Is something divided by zero, or 0 multiplied by infinity?")
         } else if let Some((name, _, advice)) = known {
             (*name, *advice)
+        } else if expected != DVec3::ZERO && is(expected * strength) {
+            (
+                "times-strength",
+                "The answer is multiplied by `light.strength` here. A share of the light is asked for, 0 to 1: whoever calls this \
+                 function multiplies.",
+            )
         } else {
             (name, advice)
         };
         Err(Finding {
             tried: question.tried(),
-            got: words::rounded(got),
+            got: if has_ended { words::rounded(got) } else { NO_END.into() },
             expected: words::rounded(expected),
             advice: advice.into(),
         }
@@ -285,11 +201,16 @@ fn pane(height: f32, transmittance: Rgb) -> Panes {
     Panes { heights: vec![height], transmittance }
 }
 
+/// What arrives from the light without glass. It is not asked for.
+const STRENGTH: Rgb = Rgb::new(2.0, 3.0, 5.0);
 const RED: Rgb = Rgb::new(0.8, 0.3, 0.1);
 const GREEN: Rgb = Rgb::new(0.4, 0.9, 0.3);
 const BLUE: Rgb = Rgb::new(0.2, 0.5, 0.7);
 const CLEAR: Rgb = Rgb::ONE;
 const OPAQUE: Rgb = Rgb::ZERO;
+
+/// Height of the lower of two panes that nearly touch.
+const CLOSE: f32 = 0.001;
 
 /// Where most lights are: not straight above, so that distances are not heights.
 const SLANTING: Vec3 = Vec3::new(0.6, 0.8, 0.0);
@@ -299,7 +220,9 @@ pub(crate) fn check(light_through: impl Fn(&Scene<Rgb>, &Hit, &Illumination) -> 
     let trial = Trial(light_through);
     let floor = |panes: &[Panes]| Question::on_floor(panes, SLANTING, 10.0);
     let (free, red) = (floor(&[]), floor(&[pane(1.0, RED)]));
-    if trial.answer(&free).0 == DVec3::ONE && trial.answer(&red).0 == DVec3::ZERO {
+    let clear = floor(&[pane(1.0, CLEAR)]);
+    let is_brick = [&red, &clear].iter().all(|question| trial.answer(question) == (DVec3::ZERO, true));
+    if trial.answer(&free).0 == DVec3::ONE && is_brick {
         return Err(Diagnosis::not_started(
             "Glass still casts the shadow of a brick: `light_through` lets nothing through where a pane is in the way.",
         ));
@@ -309,7 +232,7 @@ pub(crate) fn check(light_through: impl Fn(&Scene<Rgb>, &Hit, &Illumination) -> 
     // What is known by what comes out, where no two mistakes look alike.
     let many = [
         pane(2.0, GREEN),
-        Panes { heights: vec![2.5, 1.5], transmittance: BLUE },
+        Panes { heights: vec![2.5, 1.5, 2.8], transmittance: BLUE },
         pane(1.0, RED),
         pane(3.0, Rgb::new(0.6, 0.4, 0.8)),
         pane(9.0, Rgb::new(0.9, 0.2, 0.4)),
@@ -369,6 +292,9 @@ fn distances<F: Fn(&Scene<Rgb>, &Hit, &Illumination) -> Rgb>(trial: &Trial<F>) -
         ask(&[pane(1.0, GREEN), pane(9.0, beyond)], 10.0, "beyond-the-light", advice)?;
         ask(&[pane(1.0, GREEN)], 1.2, "beyond-the-light", advice)?;
     }
+    let advice = "One object has a pane before the light and another one beyond it. Behind a hit, too, the range ends at the \
+                  light's distance: change only its beginning, `range.min = hit.t`.";
+    ask(&[Panes { heights: vec![1.0, 9.0], transmittance: GREEN }], 10.0, "end-lost", advice)?;
     let advice = "This pane stands just before the light. It counts.";
     ask(&[pane(7.9, GREEN)], 10.0, "before-the-light", advice)?;
     let advice = "What lies below the floor is behind the ray, and does not count.";
@@ -392,7 +318,10 @@ fn opaque<F: Fn(&Scene<Rgb>, &Hit, &Illumination) -> Rgb>(trial: &Trial<F>) -> V
     ] {
         trial.probe(&Question::on_floor(&panes, SLANTING, 10.0), "opaque-ignored", advice)?;
     }
-    Ok(())
+    let advice = "Five dark panes leave very little of the light, but more than nothing, and that is the answer. Stop early only when \
+                  the product is exactly 0.";
+    let dark: Vec<_> = (1..=5_u8).map(|i| pane(f32::from(i), Rgb::splat(0.1))).collect();
+    trial.probe(&Question::on_floor(&dark, SLANTING, 10.0), "given-up-early", advice)
 }
 
 /// Panes in the same place, close together, and in great numbers.
@@ -400,18 +329,27 @@ fn many_panes<F: Fn(&Scene<Rgb>, &Hit, &Illumination) -> Rgb>(trial: &Trial<F>) 
     let ask = |panes: &[Panes], name, advice| trial.probe(&Question::on_floor(panes, SLANTING, 10.0), name, advice);
     let advice = "This object is hit three times. It counts each time, and each time once.";
     ask(&[Panes { heights: vec![1.0, 2.0, 3.0], transmittance: BLUE }], "object-once", advice)?;
-    let advice = "Two panes lie in the same place, and are met at the same `t`. When you go on behind the first, the second is lost: \
-                  ask every object of `scene.objects` by itself.";
+    let advice = "Two panes lie in the same place, and are met at the same `t`. Both count. Asked through the \
+                  whole scene, the second is lost behind the first: ask every object of `scene.objects` by itself, each with a range of \
+                  its own. And `t` alone does not tell two panes apart: a list of what has been found must not skip equal ones.";
     ask(&[pane(1.0, RED), pane(1.0, GREEN)], "same-place", advice)?;
     ask(&[pane(1.0, RED), pane(2.0, BLUE), pane(1.0, RED), pane(2.0, OPAQUE)], "same-place", advice)?;
+    let advice = "This pane lies 0.00005 above the point, and is lost. Either the shadow ray starts above the pane: the offset must be \
+                  small where numbers are small, as `Offset::Following` is. Or its range begins too late: it begins at 0.";
+    ask(&[pane(0.000_05, RED)], "start-too-high", advice)?;
     let advice = "These panes are 0.00005 scene units apart. What you add to go on behind a hit is more than that. The open range \
                   needs nothing of that kind: let it begin at the hit.";
     let close = Panes { heights: vec![1.0, 1.000_05, 1.000_1], transmittance: BLUE };
     ask(&[close, pane(0.000_05, RED)], "fixed-distance", advice)?;
+    // A few of the smallest steps of an f32 apart.
+    let advice = "These panes are so close together that their `t` differ in the last digits only. Whatever you add to a `t`, or \
+                  multiply it with, jumps over some of them. Let the range begin at the hit itself: `range.min = hit.t`.";
+    let next = f32::from_bits(CLOSE.to_bits() + 4);
+    ask(&[Panes { heights: vec![CLOSE, next], transmittance: BLUE }], "fixed-distance", advice)?;
     let advice =
-        "There are 300 panes here. Is there a fixed limit to their number? Go on until nothing is hit any more.";
-    let heights: Vec<_> = (1..=300_u16).map(|i| f32::from(i) / 64.0).collect();
-    let faint = Rgb::new(0.999, 0.99, 0.98);
+        "There are 2000 panes here. Is there a fixed limit to their number? Go on until nothing is hit any more.";
+    let heights: Vec<_> = (1..=2000_u16).map(|i| f32::from(i) / 512.0).collect();
+    let faint = Rgb::new(0.9998, 0.9995, 0.999);
     ask(&[Panes { heights: heights.clone(), transmittance: faint }], "upper-limit", advice)?;
     let single: Vec<_> = heights.iter().map(|h| pane(*h, faint)).collect();
     ask(&single, "upper-limit", advice)
@@ -430,12 +368,20 @@ fn degenerate<F: Fn(&Scene<Rgb>, &Hit, &Illumination) -> Rgb>(trial: &Trial<F>) 
     if got == DVec3::ONE && has_ended {
         return Ok(());
     }
-    let (got, expected) = (words::rounded(got), words::rounded(DVec3::ONE));
-    Err(Finding { tried: question.tried(), got, expected, advice: advice.into() }.named("light-in-the-point"))
+    let (name, advice) = if has_ended { ("light-in-the-point", advice) } else { ENDLESS };
+    let got = if has_ended { words::rounded(got) } else { NO_END.into() };
+    let expected = words::rounded(DVec3::ONE);
+    Err(Finding { tried: question.tried(), got, expected, advice: advice.into() }.named(name))
 }
 
 /// Shadow rays must leave the surface, wherever it is.
 fn offsets<F: Fn(&Scene<Rgb>, &Hit, &Illumination) -> Rgb>(trial: &Trial<F>) -> Verdict {
+    // A shading normal that leans so far that it points a little into the floor.
+    let level = Question::on_floor(&[pane(1.0, RED)], SLANTING, 10.0);
+    let hit = Hit { shading_normal: Vec3::new(0.96, -0.28, 0.0), ..level.hit };
+    let advice = "At this hit the shading normal is another one than the geometric normal, and points into the floor. Shadow rays start \
+                  on the side of the geometric normal: `hit.geometric_normal`.";
+    trial.probe(&Question { hit, ..level }, "shading-normal", advice)?;
     let mut dice = Dice::new(124);
     for (k, name, advice) in [
         (
@@ -448,7 +394,7 @@ fn offsets<F: Fn(&Scene<Rgb>, &Hit, &Illumination) -> Rgb>(trial: &Trial<F>) -> 
             1e4,
             "fixed-offset",
             "The lit ball is opaque, and this point of it sees the light through two panes. But its numbers are great, and so \
-             are their rounding errors. A fixed offset is lost among them: `Offset::Following` is not.",
+             are their rounding errors. An offset that does not grow with them is lost: `Offset::Following` does.",
         ),
     ] {
         let ball = Sphere::new(Vec3::splat(k), 1.0);

@@ -6,7 +6,10 @@ use common::{
 };
 use glam::DVec3;
 
-use super::words;
+use super::{
+    lift_mistakes::{Corner, MISTAKES, Mistake, Recipe, right},
+    words,
+};
 
 /// A point in a triangle.
 #[derive(Clone, Copy)]
@@ -15,88 +18,6 @@ struct Question {
     normals: [Vec3; 3],
     weights: [f32; 3],
 }
-
-/// One corner of the triangle, seen from the point.
-#[derive(Clone, Copy)]
-struct Corner {
-    normal: DVec3,
-    weight: f64,
-    /// How far the plane in the corner lies above the point.
-    height: f64,
-}
-
-/// What comes out, as an offset from the point: by the corners and the triangle's own unit normal.
-type Recipe = fn([Corner; 3], DVec3) -> DVec3;
-
-fn sum(corners: [Corner; 3], part: impl Fn(Corner) -> DVec3) -> DVec3 {
-    corners.into_iter().map(part).sum()
-}
-
-fn right(corners: [Corner; 3], _own: DVec3) -> DVec3 {
-    sum(corners, |c| c.normal * c.weight * c.height.max(0.0))
-}
-
-/// The interpolated normal.
-fn interpolated(corners: [Corner; 3]) -> DVec3 {
-    sum(corners, |c| c.normal * c.weight).normalize()
-}
-
-/// A mistake that is known by what comes out: name, recipe, advice.
-type Mistake = (&'static str, Recipe, &'static str);
-
-const MISTAKES: [Mistake; 9] = [
-    (
-        "sunk",
-        |corners, _| sum(corners, |c| c.normal * c.weight * c.height),
-        "This point is sunk below the triangle, or lifted less than it should be: a plane that lies below the point counts with \
-         0, not with a negative height. `max` sees to that.",
-    ),
-    (
-        "wrong-sign",
-        |corners, _| sum(corners, |c| c.normal * c.weight * (-c.height).max(0.0)),
-        "The sign of the height is wrong. It is positive where the plane lies above the point: (corner − point) · normal.",
-    ),
-    (
-        "wrong-sign",
-        |corners, own| -right(corners, own),
-        "The point is moved the wrong way. It must go up to the planes, along the normals.",
-    ),
-    (
-        "wrong-sign",
-        |corners, _| sum(corners, |c| c.normal * c.weight * c.height.min(0.0)),
-        "Only planes below the point count here, and the point sinks. It is the other way round: `max`, not `min`.",
-    ),
-    (
-        "weights-ignored",
-        |corners, _| sum(corners, |c| c.normal * c.height.max(0.0)),
-        "The three lifts are added up without weights. The nearer the point is to a corner, the more that corner counts: \
-         multiply by the weights.",
-    ),
-    (
-        "weights-ignored",
-        |corners, _| sum(corners, |c| c.normal * c.height.max(0.0)) / 3.0,
-        "All three corners count alike. The nearer the point is to a corner, the more that corner counts: multiply by the weights.",
-    ),
-    (
-        "triangle-normal",
-        |corners, own| own * sum(corners, |c| DVec3::splat(c.weight * c.height.max(0.0))).x,
-        "The point is lifted along the triangle's own normal. For each corner, lift it along the normal of that corner.",
-    ),
-    (
-        "interpolated-normal",
-        |corners, _| interpolated(corners) * sum(corners, |c| DVec3::splat(c.weight * c.height.max(0.0))).x,
-        "The point is lifted along the interpolated normal. For each corner, lift it along the normal of that corner.",
-    ),
-    (
-        "order-mixed",
-        |[a, b, c], own| {
-            let turned =
-                [Corner { weight: b.weight, ..a }, Corner { weight: c.weight, ..b }, Corner { weight: a.weight, ..c }];
-            right(turned, own)
-        },
-        "Corners and weights do not belong together here. The first weight is that of the first corner.",
-    ),
-];
 
 impl Question {
     /// The point itself.
@@ -112,16 +33,20 @@ impl Question {
         a.distance(b).max(b.distance(c)).max(c.distance(a))
     }
 
-    /// The offset from the point by a recipe.
-    fn offset(&self, recipe: Recipe) -> DVec3 {
+    /// The corners, seen from the point.
+    fn seen(&self) -> [Corner; 3] {
         let point = self.point().as_dvec3();
         let corner = |i: usize| {
             let normal = self.normals[i].as_dvec3();
-            let height = (self.corners[i].as_dvec3() - point).dot(normal);
-            Corner { normal, weight: f64::from(self.weights[i]), height }
+            Corner { normal, weight: f64::from(self.weights[i]), way: self.corners[i].as_dvec3() - point }
         };
+        [corner(0), corner(1), corner(2)]
+    }
+
+    /// The offset from the point by a recipe.
+    fn offset(&self, recipe: Recipe) -> DVec3 {
         let [a, b, c] = self.corners.map(|v| v.as_dvec3());
-        recipe([corner(0), corner(1), corner(2)], (b - a).cross(c - a).normalize_or_zero())
+        recipe(self.seen(), (b - a).cross(c - a).normalize_or_zero())
     }
 
     fn tried(&self) -> String {
@@ -134,6 +59,14 @@ impl Question {
             list(self.normals)
         )
     }
+
+    /// What is wrong with that answer.
+    fn finding(&self, got: DVec3, advice: &str) -> Finding {
+        let expected = self.point().as_dvec3() + self.offset(right);
+        let [a, b, c] = self.seen().map(|corner| words::number(corner.height()));
+        let expected = format!("{}, with the heights {a}, {b} and {c}", words::rounded(expected));
+        Finding { tried: self.tried(), got: words::rounded(got), expected, advice: advice.into() }
+    }
 }
 
 /// The function under test.
@@ -145,6 +78,27 @@ impl<F: Fn(Vec3, [Vec3; 3], [Vec3; 3], [f32; 3]) -> Vec3> Trial<F> {
         trying(|| question.tried(), || (self.0)(question.point(), corners, normals, weights)).as_dvec3()
     }
 
+    /// Nothing is lifted: has nobody begun, or do the heights come out as 0?
+    fn begun(&self, questions: &[Question; 2]) -> Verdict {
+        let is_as_it_was = |q: &Question| self.answer(q).distance(q.point().as_dvec3()) <= 1e-6 * q.size();
+        if !questions.iter().all(is_as_it_was) {
+            return Ok(());
+        }
+        // Points above and below the plane of the triangle have a height along any normal. The stub does not care.
+        let Question { corners, normals, weights } = questions[0];
+        let does_nothing = [-0.5, 0.5].iter().all(|height| {
+            let point = questions[0].point() + Vec3::Y * *height;
+            trying(|| questions[0].tried(), || (self.0)(point, corners, normals, weights)) == point
+        });
+        if does_nothing {
+            return Err(Diagnosis::not_started("Nothing is lifted yet: `lifted` returns the point as it is."));
+        }
+        let advice = "Nothing is lifted here: all heights seem to be 0. A height is measured along the normal of the corner, \
+                      `normals[i]`. The triangle's own normal is another one, and along that the corner lies as high as the point.";
+        let got = self.answer(&questions[0]);
+        Err(questions[0].finding(got, advice).named("no-height"))
+    }
+
     /// The mistake, if the answer is wrong: the known one that gives what came out, or the one of that name.
     fn ask(&self, question: &Question, known: &[Mistake], name: &'static str, advice: &str) -> Verdict {
         let (point, got) = (question.point().as_dvec3(), self.answer(question));
@@ -153,7 +107,7 @@ impl<F: Fn(Vec3, [Vec3; 3], [Vec3; 3], [f32; 3]) -> Vec3> Trial<F> {
         if is(expected) {
             return Ok(());
         }
-        let known = known.iter().find(|(_, recipe, _)| is(question.offset(*recipe)));
+        let known = known.iter().find(|(_, recipes, _)| recipes.iter().any(|recipe| is(question.offset(*recipe))));
         let (name, advice) = if !got.is_finite() {
             ("not-a-number", "Something was divided by zero, or a vector of length zero was normalized.")
         } else if is(expected - point) {
@@ -161,13 +115,7 @@ impl<F: Fn(Vec3, [Vec3; 3], [Vec3; 3], [f32; 3]) -> Vec3> Trial<F> {
         } else {
             known.map_or((name, advice), |(name, _, advice)| (name, advice))
         };
-        Err(Finding {
-            tried: question.tried(),
-            got: words::rounded(got),
-            expected: words::rounded(point + expected),
-            advice: advice.into(),
-        }
-        .named(name))
+        Err(question.finding(got, advice).named(name))
     }
 }
 
@@ -183,10 +131,9 @@ pub(crate) fn check(lifted: impl Fn(Vec3, [Vec3; 3], [Vec3; 3], [f32; 3]) -> Vec
     let question = |normals, weights| Question { corners, normals, weights };
 
     let outside = [question(round, INSIDE), question(saddle, INSIDE)];
-    if outside.iter().all(|q| trial.answer(q) == q.point().as_dvec3()) {
-        return Err(Diagnosis::not_started("Nothing is lifted yet: `lifted` returns the point as it is."));
-    }
-    let advice = "Work it out on paper: three heights, three lifts along the normals, and their weighted mean.";
+    trial.begun(&outside)?;
+    let advice = "Work it out on paper: three heights, each (corner − point) · normal; what is negative counts as 0; each times its \
+                  normal and its weight; and the sum of that added to the point.";
     trial.ask(&question(round, INSIDE), &MISTAKES, "wrong-lift", advice)?;
     let advice = "The planes of some corners lie below this point. Those do not count.";
     trial.ask(&question(saddle, INSIDE), &MISTAKES, "sunk", advice)?;
@@ -217,8 +164,9 @@ pub(crate) fn check(lifted: impl Fn(Vec3, [Vec3; 3], [Vec3; 3], [f32; 3]) -> Vec
         let corners = [(); 3].map(|()| dice.point(3.0));
         let normals = [(); 3].map(|()| dice.direction().normalize());
         let [a, b] = [(); 2].map(|()| dice.choice([0.0, 0.125, 0.25, 0.375, 0.5]));
-        let advice = "Work it out on paper: three heights, three lifts along the normals, and their weighted mean.";
-        trial.ask(&Question { corners, normals, weights: [a, b, 1.0 - a - b] }, &[], "wrong-lift", advice)?;
+        let advice = "Work it out on paper: three heights, each (corner − point) · normal; what is negative counts as 0; each times its \
+                  normal and its weight; and the sum of that added to the point.";
+        trial.ask(&Question { corners, normals, weights: [a, b, 1.0 - a - b] }, &MISTAKES, "wrong-lift", advice)?;
     }
     Ok(())
 }

@@ -6,7 +6,10 @@
 #![allow(dead_code, reason = "an exercise uses its own check only")]
 
 mod blockers;
+mod lift_mistakes;
+mod pane_mistakes;
 mod panel;
+mod panel_mistakes;
 mod words;
 
 #[path = "2-ambient-occlusion.rs"]

@@ -26,14 +26,20 @@ pub(crate) struct Question {
 pub(crate) struct Recipe {
     /// The shares of both edges, by column, row, n, and jitter.
     pub(crate) place: fn(usize, usize, usize, &[Vec2]) -> DVec2,
+    /// Where these shares of both edges lie, by corner and edges.
+    pub(crate) at: fn([DVec3; 3], DVec2) -> DVec3,
+    /// Where ω and the distance are measured from.
+    pub(crate) from: fn(&Hit) -> Vec3,
+    /// Where the shadow ray aims, in shares of both edges, by those of the place.
+    pub(crate) aim: fn(DVec2) -> DVec2,
     /// How far the shadow ray looks, by the distance.
     pub(crate) reach: fn(f64) -> f64,
     /// Whether light arrives, by the cosines at the surface and at the panel.
     pub(crate) arrives: fn(f64, f64) -> bool,
     /// The light from one place for a radiance of 1.
     pub(crate) strength: fn(Geometry) -> f64,
-    /// The irradiance, by the sum, the number of places, and the number of those that are seen.
-    pub(crate) mean: fn(DVec3, f64, f64) -> DVec3,
+    /// The visible share and the irradiance, by the sum, the number of places, and the number of those that are seen.
+    pub(crate) mean: fn(DVec3, f64, f64) -> (f64, DVec3),
     /// The normal of the lit surface.
     pub(crate) normal: fn(&Hit) -> Vec3,
 }
@@ -52,10 +58,13 @@ pub(crate) struct Geometry {
 
 pub(crate) const RIGHT: Recipe = Recipe {
     place: |column, row, n, jitter| (cell(column, row) + jitter[row * n + column].as_dvec2()) / parts(n),
+    at: |[corner, first, second], share| corner + first * share.x + second * share.y,
+    from: |hit| hit.position,
+    aim: |share| share,
     reach: |distance| distance,
     arrives: |surface, panel| surface > 0.0 && panel > 0.0,
     strength: |g| g.area * g.surface * g.panel / (g.distance * g.distance),
-    mean: |sum, count, _| sum / count,
+    mean: |sum, count, seen| (seen / count, sum / count),
     normal: |hit| hit.shading_normal,
 };
 
@@ -72,15 +81,16 @@ pub(crate) fn parts(n: usize) -> f64 {
 impl Question {
     /// The share that is seen and the irradiance by a recipe; `None` if rounding decides what is seen.
     pub(crate) fn value(&self, recipe: &Recipe) -> Option<(f64, DVec3)> {
-        let [corner, first, second] = self.panel.map(|v| v.as_dvec3());
-        let across = first.cross(second);
+        let panel = self.panel.map(|v| v.as_dvec3());
+        let across = panel[1].cross(panel[2]);
         let normal = (recipe.normal)(&self.hit).as_dvec3();
-        let position = self.hit.position.as_dvec3();
+        let position = (recipe.from)(&self.hit).as_dvec3();
         let n = usize::from(self.n);
         let (mut seen, mut sum) = (0.0, DVec3::ZERO);
         for (row, column) in (0..n).flat_map(|row| (0..n).map(move |column| (row, column))) {
             let share = (recipe.place)(column, row, n, &self.jitter);
-            let to_panel = corner + first * share.x + second * share.y - position;
+            let to_panel = (recipe.at)(panel, share) - position;
+            let to_aim = (recipe.at)(panel, (recipe.aim)(share)) - position;
             let distance = to_panel.length();
             let direction = to_panel / distance;
             let (surface, panel) = (direction.dot(normal), -direction.dot(across.normalize_or_zero()));
@@ -92,7 +102,7 @@ impl Question {
                 continue;
             }
             let geometric = self.hit.geometric_normal.as_dvec3();
-            match self.blockers.way(position, geometric, direction, (recipe.reach)(distance)) {
+            match self.blockers.way(position, geometric, to_aim.normalize(), (recipe.reach)(to_aim.length())) {
                 Way::Unclear => return None,
                 Way::Blocked => {}
                 Way::Free => {
@@ -102,8 +112,17 @@ impl Question {
                 }
             }
         }
-        let count = parts(n * n);
-        Some((seen / count, (recipe.mean)(sum, count, seen)))
+        Some((recipe.mean)(sum, parts(n * n), seen))
+    }
+
+    /// Where the places lie, if they are few.
+    pub(crate) fn places(&self) -> Option<String> {
+        const FEW: u16 = 2;
+        let (n, panel) = (usize::from(self.n), self.panel.map(|v| v.as_dvec3()));
+        let cells = (0..n).flat_map(|row| (0..n).map(move |column| (row, column)));
+        let place = |(row, column)| words::rounded((RIGHT.at)(panel, (RIGHT.place)(column, row, n, &self.jitter)));
+        let verb = if n == 1 { "place" } else { "places" };
+        (self.n <= FEW).then(|| format!("{verb} {}", cells.map(place).collect::<Vec<_>>().join(", ")))
     }
 
     /// What arrives from the whole panel, if nothing hides it and all of it lies above the horizon.

@@ -53,12 +53,31 @@ fn by_ends(ball: &Sphere, ray: &Ray, range: Interval) -> bool {
 fn right_ones_are_accepted() {
     assert_eq!(verdict(|ball, ray, range| !range.is_empty() && by_ends(ball, ray, range)), Ok(()));
     assert_eq!(verdict(|ball, ray, range| ball.intersect(ray, range).is_some()), Ok(()));
-    assert_eq!(verdict(|ball, ray, range| TextbookSphere(*ball).intersect(ray, range).is_some()), Ok(()));
 }
 
 #[test]
 fn nothing_is_not_started() {
     assert_eq!(diagnosis(|_, _, _| false), "not-started");
+}
+
+#[test]
+fn small_differences_of_great_numbers() {
+    assert_eq!(diagnosis(|ball, ray, range| TextbookSphere(*ball).intersect(ray, range).is_some()), "far-ball");
+    // The same for both ends outside only.
+    let discriminant: Query = |ball, ray, range| {
+        let [begin, end] = [range.min, range.max].map(|t| is_inside(ball, ray.at(t)));
+        let to_center = ball.center - ray.origin;
+        let (a, h) = (ray.direction.length_squared(), to_center.dot(ray.direction));
+        let c = to_center.length_squared() - ball.radius * ball.radius;
+        !range.is_empty() && (begin != end || !begin && range.contains(h / a) && h * h - a * c > 0.0)
+    };
+    assert_eq!(diagnosis(discriminant), "far-ball");
+}
+
+#[test]
+fn only_empty_ranges() {
+    // A `!` too many: that is no stub.
+    assert_eq!(diagnosis(|ball, ray, range| range.is_empty() && by_ends(ball, ray, range)), "missed");
 }
 
 #[test]
@@ -77,6 +96,13 @@ fn ranges_that_are_not_asked_for() {
     assert_eq!(diagnosis(no_begin), "ball-behind");
     let from_zero: Query = |ball, ray, range| ball.intersect(ray, Interval::POSITIVE.up_to(range.max)).is_some();
     assert_eq!(diagnosis(from_zero), "range-min-ignored");
+    // The way as if it began at the origin.
+    let from_origin: Query = |ball, ray, range| {
+        let [begin, end] = [0.0, range.max].map(|t| is_inside(ball, ray.at(t)));
+        let t = nearest(ball, ray);
+        !range.is_empty() && (begin != end || !begin && range.contains(t) && is_inside(ball, ray.at(t)))
+    };
+    assert_eq!(diagnosis(from_origin), "range-min-ignored");
     // Never anything before the origin.
     let positive: Query = |ball, ray, range| ball.intersect(ray, range.intersection(Interval::POSITIVE)).is_some();
     assert_eq!(diagnosis(positive), "only-positive");
@@ -102,6 +128,14 @@ fn ends_inside_and_outside() {
     // Both roots, as if the way had to go in and come out.
     let both: Query = |ball, ray, range| ball.roots(ray).0.iter().all(|t| range.contains(*t));
     assert_eq!(diagnosis(both), "begins-inside");
+    // The middle of the range in place of the nearest point.
+    let middle: Query = |ball, ray, range| {
+        let [begin, end] = [range.min, range.max].map(|t| is_inside(ball, ray.at(t)));
+        begin != end || !begin && is_inside(ball, ray.at((range.min + range.max) / 2.0))
+    };
+    let message = verdict(middle).unwrap_err();
+    assert_eq!(message.name, "missed");
+    assert!(message.to_string().contains("at t = 3,"), "{message}");
     // The end is never asked about.
     let no_end: Query = |ball, ray, range| {
         let t = nearest(ball, ray);
@@ -130,7 +164,7 @@ fn lengths_places_and_sizes() {
     };
     assert_eq!(diagnosis(no_division), "unit-direction");
     let normalized: Query = |ball, ray, range| by_ends(ball, &Ray::new(ray.origin, ray.direction.normalize()), range);
-    assert_eq!(diagnosis(normalized), "unit-direction");
+    assert_eq!(diagnosis(normalized), "normalized");
     let at_origin: Query = |ball, ray, range| by_ends(&Sphere { center: Vec3::ZERO, ..*ball }, ray, range);
     assert_eq!(diagnosis(at_origin), "center-ignored");
     let unit: Query = |ball, ray, range| by_ends(&Sphere { radius: 1.0, ..*ball }, ray, range);

@@ -61,7 +61,10 @@ fn wrong_weights() {
     assert_eq!(diagnosis(by_corner(|normal, _, height| normal * height.max(0.0) / 3.0)), "weights-ignored");
     let mixed = |point, corners, normals, [a, b, c]: [f32; 3]| by_corner(RIGHT)(point, corners, normals, [b, c, a]);
     assert_eq!(diagnosis(mixed), "order-mixed");
-    assert_eq!(diagnosis(by_corner(|normal, weight, height| normal * weight * weight * height.max(0.0))), "wrong-lift");
+    assert_eq!(
+        diagnosis(by_corner(|normal, weight, height| normal * weight * weight * height.max(0.0))),
+        "weights-twice"
+    );
     // A sum of three points.
     let three =
         |point: Vec3, corners, normals, weights| point * 2.0 + by_corner(RIGHT)(point, corners, normals, weights);
@@ -91,5 +94,50 @@ fn heights_above_what_is_lifted_already() {
     let step_by_step = |point: Vec3, corners: [Vec3; 3], normals: [Vec3; 3], weights: [f32; 3]| {
         (0..3).fold(point, |p, i| p + RIGHT(normals[i], weights[i], (corners[i] - p).dot(normals[i])))
     };
-    assert_eq!(diagnosis(step_by_step), "wrong-lift");
+    assert_eq!(diagnosis(step_by_step), "step-by-step");
+}
+
+#[test]
+fn heights_of_another_kind() {
+    let by = |height: fn(Vec3, [Vec3; 3], [Vec3; 3], usize) -> f32| {
+        diagnosis(move |point, corners, normals, weights| {
+            let lift = |i: usize| normals[i] * weights[i] * height(point, corners, normals, i).max(0.0);
+            point + (0..3).map(lift).sum::<Vec3>()
+        })
+    };
+    // Along the triangle's own normal all heights are 0. That is no stub.
+    let flat: fn(Vec3, [Vec3; 3], [Vec3; 3], usize) -> f32 = |point, corners, _, i| {
+        let [a, b, c] = corners;
+        (corners[i] - point).dot((b - a).cross(c - a).normalize())
+    };
+    assert_eq!(by(flat), "no-height");
+    assert_eq!(by(|point, corners, normals, i| (corners[i] - point).normalize().dot(normals[i])), "way-normalized");
+    assert_eq!(by(|point, corners, _, i| (corners[i] - point).length()), "length-not-height");
+    assert_eq!(by(|point, corners, normals, i| (point - corners[i]).dot(normals[i])), "wrong-sign");
+    assert_eq!(by(|point, corners, normals, i| 2.0 * (corners[i] - point).dot(normals[i])), "wrong-factor");
+    assert_eq!(by(|point, corners, normals, i| 0.5 * (corners[i] - point).dot(normals[i])), "wrong-factor");
+    let message = check(by_corner(|normal, weight, height| normal * weight * (height.max(0.0) + 1.0))).unwrap_err();
+    assert!(message.to_string().contains("with the heights "), "{message}");
+}
+
+#[test]
+fn not_all_corners() {
+    let without = |left_out: usize| {
+        diagnosis(move |point, corners, normals, mut weights| {
+            weights[left_out] = 0.0;
+            by_corner(RIGHT)(point, corners, normals, weights)
+        })
+    };
+    assert_eq!([0, 1, 2].map(without), ["corner-forgotten"; 3]);
+    let greatest = |point: Vec3, corners: [Vec3; 3], normals: [Vec3; 3], _: [f32; 3]| {
+        let lift = |i: usize| normals[i] * (corners[i] - point).dot(normals[i]).max(0.0);
+        point + [0, 1, 2].map(lift).into_iter().max_by(|a, b| a.length().total_cmp(&b.length())).unwrap_or_default()
+    };
+    assert_eq!(diagnosis(greatest), "greatest-only");
+    for order in [[1, 2, 0], [2, 0, 1], [2, 1, 0], [1, 0, 2], [0, 2, 1]] {
+        let mixed = move |point, corners, normals, weights: [f32; 3]| {
+            by_corner(RIGHT)(point, corners, normals, order.map(|i| weights[i]))
+        };
+        assert_eq!(diagnosis(mixed), "order-mixed");
+    }
 }

@@ -17,12 +17,12 @@ fn a_message_says_what_was_tried_what_came_out_and_what_was_expected() {
     let expected = "\
 Tried:    the hit at (0.1, 0, 0.2) with normal (0, 1, 0) on an opaque floor at y = 0, light in
           direction (0.6, 0.8, 0) at distance 10, a level pane of transmittance (0.4, 0.9, 0.3) at y
-          = 2, a level pane of transmittance (0.2, 0.5, 0.7) at y = 2.5 and y = 1.5, a level pane of
-          transmittance (0.8, 0.3, 0.1) at y = 1, a level pane of transmittance (0.6, 0.4, 0.8) at y
-          = 3, a level pane of transmittance (0.9, 0.2, 0.4) at y = 9, a level pane of transmittance
-          (0.7, 0.6, 0.2) at y = -1
+          = 2, a level pane of transmittance (0.2, 0.5, 0.7) at y = 2.5 and y = 1.5 and y = 2.8, a
+          level pane of transmittance (0.8, 0.3, 0.1) at y = 1, a level pane of transmittance
+          (0.6, 0.4, 0.8) at y = 3, a level pane of transmittance (0.9, 0.2, 0.4) at y = 9, a level
+          pane of transmittance (0.7, 0.6, 0.2) at y = -1
 Got:      (0.8, 0.3, 0.1)
-Expected: (0.00768, 0.027, 0.01176)
+Expected: (0.001536, 0.0135, 0.008232)
 
 Only the nearest pane counts here. Go on behind it, until nothing is hit any more. [nearest-only]";
     assert_eq!(message, expected);

@@ -1,6 +1,7 @@
 //! Wrong panels, all of one recipe with one ingredient changed.
 
 use common::{Interval, Rgb, Vec2, Vec3, exercise::Verdict};
+use glam::Vec2Swizzles as _;
 use ray_casting::{hit::Hit, ray::Ray, scene::Scene};
 use shadows::offset::Offset;
 
@@ -118,7 +119,11 @@ fn wrong_means() {
         "mean-of-the-seen"
     );
     assert_eq!(mean(|sum, seen, all| (seen / all, sum / all * (seen / all))), "shadow-twice");
-    assert_eq!(mean(|sum, seen, all| (seen, sum / all)), "wrong-places");
+    assert_eq!(mean(|sum, seen, all| (seen, sum / all)), "visible-is-a-count");
+    assert_eq!(mean(|sum, seen, _| (seen, sum)), "sum-not-mean");
+    assert_eq!(mean(|sum, seen, all| (seen / all.sqrt(), sum / all.sqrt())), "divided-by-n");
+    assert_eq!(mean(|sum, seen, all| (seen / all, sum / all.sqrt())), "divided-by-n");
+    assert_eq!(mean(|sum, seen, all| (1.5 * seen / all, sum / all)), "not-a-share");
     assert_eq!(mean(|sum, seen, all| (seen / all, Rgb::splat(sum.x / all))), "one-channel");
     assert_eq!(mean(|sum, seen, all| (seen / all, sum / (all - 1.0))), "not-a-number");
 }
@@ -133,7 +138,15 @@ fn wrong_places() {
     assert_eq!(share(|c, r, n, jitter| cell(c, r) / n as f32 + jitter[r * n + c]), "jitter-not-divided");
     assert_eq!(share(|c, r, n, jitter| jitter[r * n + c]), "no-grid");
     assert_eq!(share(|c, r, n, _| cell(c, r) / n as f32), "jitter-ignored");
-    assert_eq!(share(|c, r, n, _| cell(c, r) / (n as f32 - 1.0).max(1.0)), "wrong-light");
+    assert_eq!(share(|c, r, n, _| cell(c, r) / (n as f32 - 1.0).max(1.0)), "wrong-part");
+    let too_far: fn(usize, usize, usize, &[Vec2]) -> Vec2 =
+        |c, r, n, jitter| (cell(c, r) + jitter[r * n + c]) / (n as f32 - 1.0).max(1.0);
+    assert_eq!(share(too_far), "wrong-part");
+    assert_eq!(share(|c, r, n, jitter| (cell(c, r) + 1.0 + jitter[r * n + c]) / n as f32), "wrong-part");
+    assert_eq!(share(|c, r, n, jitter| (cell(c, r) + jitter[r * n + c] - 0.5) / n as f32), "jitter-centered");
+    assert_eq!(share(|c, r, n, jitter| (cell(r, c) + jitter[r * n + c]) / n as f32), "jitter-transposed");
+    assert_eq!(share(|c, r, n, jitter| (cell(c, r) + jitter[r * n + c]).yx() / n as f32), "edges-mixed");
+    assert_eq!(share(|c, r, n, jitter| (cell(c, r) + jitter[r * n + c].yx()) / n as f32), "jitter-mixed");
 }
 
 #[test]
@@ -155,6 +168,7 @@ fn wrong_strengths() {
 fn wrong_sides() {
     let counts = |counts| Recipe { counts, ..RIGHT };
     assert_eq!(counts(|p| p.cosine > 0.0).diagnosis(), "shines-backwards");
+    assert_eq!(counts(|p| p.cosine * -p.direction.dot(p.area) > 0.0).diagnosis(), "both-behind");
     let both = Recipe { strength: |p| (p.cosine * p.direction.dot(p.area) / p.square()).abs(), ..RIGHT };
     assert_eq!(Recipe { counts: |p| p.cosine > 0.0, ..both }.diagnosis(), "shines-backwards");
     assert_eq!(counts(|p| -p.direction.dot(p.area) > 0.0).diagnosis(), "below-horizon");
@@ -181,7 +195,7 @@ fn wrong_shadows() {
     assert_eq!(ray(|hit, p| (Ray::new(start(hit), p.direction), Interval::POSITIVE)), "beyond-the-light");
     assert_eq!(
         ray(|hit, p| (Ray::new(start(hit), p.direction * p.distance), Interval::POSITIVE.up_to(p.distance))),
-        "direction-not-unit"
+        "reach-squared"
     );
     assert_eq!(ray(|hit, p| (Ray::new(start(hit), p.direction), Interval::new(0.0, 1.0))), "range-too-short");
     assert_eq!(ray(|hit, p| (Ray::new(start(hit), p.direction), Interval::new(1.0, 0.0))), "no-shadow");
@@ -190,10 +204,81 @@ fn wrong_shadows() {
         "self-shadow"
     );
     assert_eq!(
-        ray(|hit, p| {
-            let origin = Offset::Fixed(1e-4).origin(hit, hit.geometric_normal);
-            (Ray::new(origin, p.direction), Interval::POSITIVE.up_to(p.distance))
-        }),
-        "fixed-offset"
+        ray(|hit, p| (Ray::new(start(hit), p.direction), Interval::POSITIVE.up_to(p.square()))),
+        "reach-squared"
     );
+    fn lifted(hit: &Hit, p: Place, offset: Offset) -> (Ray, Interval) {
+        (Ray::new(offset.origin(hit, hit.geometric_normal), p.direction), Interval::POSITIVE.up_to(p.distance))
+    }
+    for fixed in [
+        |hit: &Hit, p: Place| lifted(hit, p, Offset::Fixed(1e-4)),
+        |hit: &Hit, p: Place| lifted(hit, p, Offset::Fixed(1e-3)),
+        |hit: &Hit, p: Place| lifted(hit, p, Offset::Fixed(0.05)),
+    ] {
+        assert_eq!(ray(fixed), "fixed-offset");
+    }
+    assert_eq!(Recipe { ray: |hit, p| lifted(hit, p, Offset::Bits), ..RIGHT }.check(), Ok(()));
+}
+
+/// The right answer to a question in which something is exchanged.
+fn instead(change: fn(&mut [Vec3; 3], &mut Hit)) -> &'static str {
+    name(check(move |mut panel, radiance, scene, hit, n, jitter| {
+        let mut hit = *hit;
+        change(&mut panel, &mut hit);
+        RIGHT.light(panel, radiance, scene, &hit, n, jitter)
+    }))
+}
+
+#[test]
+fn wrong_geometry() {
+    assert_eq!(instead(|panel, _| panel[0] = Vec3::ZERO), "corner-forgotten");
+    assert_eq!(instead(|_, hit| hit.position = Vec3::ZERO), "point-forgotten");
+    let lifted: fn(&mut [Vec3; 3], &mut Hit) =
+        |_, hit| hit.position = Offset::Following.origin(hit, hit.geometric_normal);
+    assert_eq!(instead(lifted), "lifted-start");
+}
+
+#[test]
+fn turned_signs_are_no_stub() {
+    // edges[1] × edges[0], or ω for −ω.
+    assert_eq!(
+        Recipe { counts: |p| p.cosine > 0.0 && p.direction.dot(p.area) > 0.0, ..RIGHT }.diagnosis(),
+        "sign-of-the-front"
+    );
+    assert_eq!(
+        Recipe { counts: |p| p.cosine < 0.0 && -p.direction.dot(p.area) > 0.0, ..RIGHT }.diagnosis(),
+        "sign-of-the-horizon"
+    );
+    // hit − place.
+    let turned = Recipe {
+        counts: |p| p.cosine < 0.0 && p.direction.dot(p.area) > 0.0,
+        ray: |hit, p| {
+            let origin = Offset::Following.origin(hit, hit.geometric_normal);
+            (Ray::new(origin, -p.direction), Interval::POSITIVE.up_to(p.distance))
+        },
+        ..RIGHT
+    };
+    assert_eq!(turned.diagnosis(), "sign-of-the-way");
+    let message = turned.check().unwrap_err().to_string();
+    assert!(message.starts_with("Tried:"), "{message}");
+    // A `!` too few.
+    let in_shadow = |panel: [Vec3; 3], radiance: Rgb, scene: &Scene<()>, hit: &Hit, n: u16, jitter: &[Vec2]| {
+        let all = RIGHT.light(panel, radiance, &Scene::<()>::new(), hit, n, jitter);
+        let seen = RIGHT.light(panel, radiance, scene, hit, n, jitter);
+        (all.0 - seen.0, all.1 - seen.1)
+    };
+    assert_eq!(name(check(in_shadow)), "shadow-turned");
+}
+
+#[test]
+fn one_shadow_ray_for_all() {
+    let one = |panel: [Vec3; 3], radiance: Rgb, scene: &Scene<()>, hit: &Hit, n: u16, jitter: &[Vec2]| {
+        let to_middle = panel[0] + (panel[1] + panel[2]) / 2.0 - hit.position;
+        let origin = Offset::Following.origin(hit, hit.geometric_normal);
+        if scene.occluded(&Ray::new(origin, to_middle), Interval::new(0.0, 1.0)) {
+            return (0.0, Rgb::ZERO);
+        }
+        RIGHT.light(panel, radiance, &Scene::<()>::new(), hit, n, jitter)
+    };
+    assert_eq!(name(check(one)), "one-shadow-ray");
 }

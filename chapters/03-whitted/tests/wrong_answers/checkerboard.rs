@@ -123,7 +123,10 @@ fn wrong_depths() {
         "too-far-behind"
     );
     assert_eq!(surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * size * 0.5, size)), "too-far-behind");
-    assert_eq!(surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * size * 0.002, size)), "too-far-behind");
+    assert_eq!(
+        surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * size * 0.002, size)),
+        "too-far-behind"
+    );
     assert_eq!(surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * size * 0.9, size)), "too-far-behind");
     assert_eq!(
         surfaces(|hit, size| is_dark(hit.position - hit.geometric_normal * size * 1e-4, size)),

@@ -103,7 +103,11 @@ impl Knob {
     /// # Errors
     /// [`Error::KnobValue`] says which values the knob takes.
     pub fn parse(&self, text: &str) -> Result<f32, Error> {
-        let wrong = || Error::KnobValue { knob: self.name, given: text.into(), range: self.range() };
+        let range = || match self.kind {
+            Kind::Number { step, .. } if step != Step::Whole => format!("a number {}", self.range()),
+            _ => self.range(),
+        };
+        let wrong = || Error::KnobValue { knob: self.name, given: text.into(), range: range() };
         match self.kind {
             Kind::Number { min, max, step, .. } => {
                 let value: f32 = text.trim().parse().map_err(|_| wrong())?;

@@ -184,7 +184,7 @@ fn by_weight(a: Option<Branch>, b: Option<Branch>) -> (Option<Branch>, Option<Br
 }
 
 /// The mean of the three channels.
-fn mean(color: Rgb) -> f32 {
+pub(crate) fn mean(color: Rgb) -> f32 {
     color.element_sum() / 3.0
 }
 

@@ -33,7 +33,7 @@ pub(crate) fn make<L: Light + 'static>(
     scene.ambient = Rgb::new(0.020, 0.022, 0.030);
     scene.surround(Rgb::new(0.004, 0.0045, 0.006));
     let white = Phong::of(srgb(228, 222, 210), 0.5, 60.0);
-    scene.add("floor", square(400.0)?, Phong::of(srgb(190, 190, 190), 0.0, 1.0));
+    scene.add("floor", square(0.0, 400.0)?, Phong::of(srgb(190, 190, 190), 0.0, 1.0));
     scene.add("ball", Sphere::new(Vec3::new(0.0, 0.4, -0.35), 0.4), white);
     for (x, z, height) in [(-1.75, -0.3, 0.9), (1.75, -0.3, 0.9), (0.0, -1.75, 1.2)] {
         scene.add("cone", Quadric::cone(0.3, height).placed(Frame::at(Vec3::new(x, 0.0, z))), white);

@@ -3,8 +3,6 @@
 use common::{
     Error, Interval, Rgb, Vec3,
     color::srgb,
-    knob::Values,
-    obj::ObjMesh,
     picture::{ORBIT, Picture, Render, Settings},
 };
 use ray_casting::{
@@ -14,11 +12,12 @@ use ray_casting::{
     light::{DirectionalLight, Light as _, PointLight},
     local_illumination::{LocalIllumination, Terms},
     material::Phong,
-    mesh::{Mesh, Shading},
     ray::Ray,
     scene::Scene,
     shape::Shape,
 };
+
+pub(super) use ray_casting::pictures::stage::{camera, square};
 
 /// Makes a picture of what a user has chosen.
 pub(super) type Make = fn(&Settings) -> Result<Box<dyn Render>, Error>;
@@ -49,25 +48,8 @@ pub(super) fn stage() -> Result<Scene<Phong>, Error> {
     // Far from the lamp the floor shows the ambient light and the sun. The background is the same.
     let sun = sun().illuminate(Vec3::ZERO);
     scene.surround(floor.ambient * scene.ambient + sun.strength * floor.diffuse_term(sun.direction, Vec3::Y));
-    scene.add("floor", square(400.0)?, floor);
+    scene.add("floor", square(0.0, 400.0)?, floor);
     Ok(scene)
-}
-
-/// A square on the ground around the origin, with sides of twice `half` scene units.
-pub(super) fn square(half: f32) -> Result<Mesh, Error> {
-    let corner = |x: f32, z: f32| Vec3::new(x * half, 0.0, z * half);
-    let obj = ObjMesh {
-        positions: vec![corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)],
-        triangles: vec![[0, 1, 2], [0, 2, 3]],
-        ..ObjMesh::default()
-    };
-    Mesh::new(&obj, Shading::Flat)
-}
-
-/// A camera that the knobs move.
-pub(super) fn camera(eye: [f32; 3], lookat: [f32; 3], field_of_view: f32, values: &Values) -> Result<Camera, Error> {
-    Camera::orbited(Vec3::from_array(eye), Vec3::from_array(lookat), field_of_view, values)
-        .map_err(|error| Error::Picture(error.to_string()))
 }
 
 /// A scene as that camera sees it.

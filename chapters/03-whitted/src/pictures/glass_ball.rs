@@ -21,7 +21,7 @@ use crate::{
     branches::{Branch, branches},
     material::Material,
     probe::Kind,
-    whitted::{Limits, Whitted},
+    whitted::{Limits, Whitted, mean},
 };
 
 const INDEX: Knob = Knob::number("index", "refractive index of the glass", [1.0, 2.5], 1.5, "", Step::Add(0.05));
@@ -77,7 +77,7 @@ impl Inventive {
     fn trace(&self, branch: &Branch, depth: u32) -> Rgb {
         let Whitted { scene, limits, fresnel, offset, .. } = &self.0;
         let Branch { ray, range, share, .. } = branch;
-        let ends = depth > limits.max_depth || share.element_sum() / 3.0 < limits.min_weight;
+        let ends = depth > limits.max_depth || mean(*share) < limits.min_weight;
         let nearest = if ends { None } else { scene.intersect(ray, *range) };
         let Some((hit, object)) = nearest else { return share * scene.background.radiance(ray.direction) };
         let rough = |rough| direct_light(scene, &rough, &hit, -ray.direction, *offset, &mut Untold);

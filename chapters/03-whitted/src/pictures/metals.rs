@@ -51,7 +51,7 @@ fn view(settings: &Settings, fresnel: Fresnel) -> Result<Whitted, Error> {
         scene.add(name, Sphere::new(Vec3::new(x, 0.85, 0.0), 0.85), metal);
         scene.add(name, bowl.placed(Frame::at(Vec3::new(x + 0.6, 0.0, 1.25))), metal);
     }
-    let camera = stage::camera([0.0, 2.0, 9.0], [0.0, 0.85, 0.0], 22.5, &settings.values)?;
+    let camera = stage::camera([0.1, 2.0, 9.0], [0.1, 0.85, 0.0], 25.0, &settings.values)?;
     Ok(Whitted { fresnel, ..seen(scene, camera, Limits::DEFAULT) })
 }
 

@@ -31,7 +31,7 @@ use crate::{
     branches::Branch,
     material::Material,
     probe::{Kind, RayTree, Segment},
-    whitted::Whitted,
+    whitted::{Whitted, mean},
 };
 
 /// Which pixel, from the left.
@@ -67,7 +67,7 @@ struct Node {
 impl Node {
     /// Which share of its radiance reaches the eye: the mean over the colors.
     fn share(&self) -> f32 {
-        self.segment.weight.element_sum() / 3.0
+        mean(self.segment.weight)
     }
 
     /// White from the eye, gold if reflected, light blue if refracted.

@@ -2,6 +2,7 @@
 //!
 //! Each idea of the chapter has a file of its own, named after it. The pictures are in [`pictures`].
 
+pub mod aabb;
 pub mod background;
 pub mod camera;
 pub mod frame;

@@ -3,10 +3,11 @@
 use common::{Error, Interval, Vec3, obj::ObjMesh};
 
 use crate::{
+    aabb::Aabb,
     hit::Hit,
     ray::Ray,
-    shape::{Bounds, Shape},
-    triangle::Triangle,
+    shape::Shape,
+    triangle::{Triangle, TriangleHit},
     triangle_barycentric::Shear,
 };
 
@@ -18,7 +19,7 @@ pub struct Mesh {
     /// For each triangle the indices of its corners.
     triangles: Vec<[u32; 3]>,
     normals: VertexNormals,
-    bounds: Bounds,
+    bounds: Aabb,
 }
 
 /// Normals to shade a mesh with.
@@ -51,7 +52,7 @@ impl Mesh {
         if outside(triangles, positions.len()) || outside(triangle_normals, normals.len()) {
             return Err(Error::Picture("a triangle of the mesh has a corner that does not exist".into()));
         }
-        let bounds = Bounds::around(positions)
+        let bounds = Aabb::around(positions)
             .filter(|_| !triangles.is_empty())
             .ok_or_else(|| Error::Picture("the mesh has no triangle".into()))?;
         let normals = match shading {
@@ -69,7 +70,7 @@ impl Mesh {
 
     /// The box around all vertices.
     #[must_use]
-    pub fn bounds(&self) -> Bounds {
+    pub fn bounds(&self) -> Aabb {
         self.bounds
     }
 
@@ -87,11 +88,42 @@ impl Mesh {
 
     /// Its triangles, in the file's order.
     pub fn triangles(&self) -> impl Iterator<Item = Triangle> {
-        self.triangles.iter().map(|&[i, j, k]| {
-            let [r1, r2, r3] = [i, j, k].map(|i| self.positions[i as usize]);
-            Triangle::new(r1, r2, r3)
-        })
+        self.triangles.iter().map(|corners| self.with_corners(corners))
     }
+
+    /// One of its triangles, counted from 0.
+    ///
+    /// # Panics
+    /// If there are not so many.
+    #[must_use]
+    pub fn triangle(&self, index: usize) -> Triangle {
+        self.with_corners(&self.triangles[index])
+    }
+
+    /// The triangle between three vertices.
+    #[inline]
+    fn with_corners(&self, corners: &[u32; 3]) -> Triangle {
+        Triangle { corners: corners.map(|i| self.positions[i as usize]) }
+    }
+}
+
+impl Mesh {
+    // ANCHOR: shaded
+    /// All that is known about the place where a ray hits the triangle of that index.
+    #[must_use]
+    pub fn hit(&self, ray: &Ray, index: usize, triangle: &Triangle, hit: &TriangleHit) -> Hit {
+        let flat = Hit::new(ray, hit.t, triangle.normal()).among(triangle.farthest());
+        // Interpolate the normals of the three corners by the weights of the hit.
+        match &self.normals {
+            VertexNormals::Flat => flat,
+            VertexNormals::Smooth { normals, triangles } => {
+                let [n1, n2, n3] = triangles[index].map(|i| normals[i as usize]);
+                let [alpha, beta, gamma] = hit.weights;
+                flat.shaded_with(n1 * alpha + n2 * beta + n3 * gamma)
+            }
+        }
+    }
+    // ANCHOR_END: shaded
 }
 
 /// The same normals with unit length, or zero.
@@ -128,16 +160,7 @@ impl Shape for Mesh {
             }
         }
         let (i, triangle, hit) = nearest?;
-        let flat = Hit::new(ray, hit.t, triangle.normal()).among(triangle.farthest());
-        // Interpolate the normals of the three corners by the weights of the hit.
-        Some(match &self.normals {
-            VertexNormals::Flat => flat,
-            VertexNormals::Smooth { normals, triangles } => {
-                let [n1, n2, n3] = triangles[i].map(|i| normals[i as usize]);
-                let [alpha, beta, gamma] = hit.weights;
-                flat.shaded_with(n1 * alpha + n2 * beta + n3 * gamma)
-            }
-        })
+        Some(self.hit(ray, i, &triangle, &hit))
     }
     // ANCHOR_END: intersect
 

@@ -4,12 +4,13 @@ use common::{Interval, Vec3};
 use glam::{Mat4, Vec4};
 
 use crate::{
+    aabb::Aabb,
     frame::Frame,
     hit::Hit,
     implicit::Implicit,
     quadratic,
     ray::Ray,
-    shape::{Bounds, Shape},
+    shape::Shape,
 };
 
 // ANCHOR: quadric
@@ -21,7 +22,7 @@ pub struct Quadric {
     /// The symmetric matrix `Q`.
     q: Mat4,
     /// Only what lies inside this box is there, in local coordinates.
-    clip: Bounds,
+    clip: Aabb,
     /// Where it stands.
     frame: Frame,
 }
@@ -30,7 +31,7 @@ pub struct Quadric {
 impl Quadric {
     /// A quadric by its matrix. Only the symmetric part of `q` matters, and only that is kept.
     #[must_use]
-    pub fn new(q: Mat4, clip: Bounds) -> Self {
+    pub fn new(q: Mat4, clip: Aabb) -> Self {
         Self { q: (q + q.transpose()) * 0.5, clip, frame: Frame::at(Vec3::ZERO) }
     }
 
@@ -49,8 +50,8 @@ impl Quadric {
             Vec4::new(0.0, 0.0, c, 0.0),
             Vec4::new(0.0, d, 0.0, e),
         );
-        let Bounds { min, max } = Bounds::EVERYTHING;
-        Self::new(q, Bounds { min: min.with_y(bottom), max: max.with_y(top) })
+        let Aabb { min, max } = Aabb::EVERYTHING;
+        Self::new(q, Aabb { min: min.with_y(bottom), max: max.with_y(top) })
     }
     // ANCHOR_END: upright
 

@@ -1,6 +1,8 @@
 //! The shape: anything that a ray can hit.
 
-use common::{Interval, Vec3};
+use std::sync::Arc;
+
+use common::Interval;
 
 use crate::{hit::Hit, ray::Ray};
 
@@ -21,42 +23,24 @@ pub trait Shape: Send + Sync {
 }
 // ANCHOR_END: shape
 
-/// The corners of an axis-aligned box: least and greatest coordinates.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
-    /// Least x, y and z.
-    pub min: Vec3,
-    /// Greatest x, y and z.
-    pub max: Vec3,
+/// A shape behind a pointer is a shape: one that is stored on the heap, ...
+impl<S: Shape + ?Sized> Shape for Box<S> {
+    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
+        (**self).intersect(ray, range)
+    }
+
+    fn occluded(&self, ray: &Ray, range: Interval) -> bool {
+        (**self).occluded(ray, range)
+    }
 }
 
-impl Bounds {
-    /// All of space.
-    pub const EVERYTHING: Bounds = Bounds { min: Vec3::NEG_INFINITY, max: Vec3::INFINITY };
-
-    /// The smallest box around all `points`; `None` if there are none.
-    #[must_use]
-    pub fn around(points: &[Vec3]) -> Option<Self> {
-        let min = points.iter().copied().reduce(Vec3::min)?;
-        let max = points.iter().copied().reduce(Vec3::max)?;
-        Some(Self { min, max })
+/// ... and one that stands in several places at once.
+impl<S: Shape + ?Sized> Shape for Arc<S> {
+    fn intersect(&self, ray: &Ray, range: Interval) -> Option<Hit> {
+        (**self).intersect(ray, range)
     }
 
-    /// Whether a point lies inside or on the box.
-    #[must_use]
-    pub fn contains(&self, point: Vec3) -> bool {
-        point.cmpge(self.min).all() && point.cmple(self.max).all()
-    }
-
-    /// The point in the middle.
-    #[must_use]
-    pub fn center(&self) -> Vec3 {
-        (self.min + self.max) / 2.0
-    }
-
-    /// Length of the diagonal, in scene units.
-    #[must_use]
-    pub fn diagonal(&self) -> f32 {
-        (self.max - self.min).length()
+    fn occluded(&self, ray: &Ray, range: Interval) -> bool {
+        (**self).occluded(ray, range)
     }
 }

@@ -18,6 +18,7 @@ pub mod knob;
 pub mod obj;
 #[cfg(feature = "cli")]
 pub mod output;
+pub mod parallel;
 pub mod picture;
 pub mod random;
 pub mod renderer;

@@ -2,7 +2,7 @@
 //!
 //! Source: Woop, Benthin, Wald, *Watertight Ray/Triangle Intersection*, JCGT 2(1), 2013.
 
-use common::{Interval, Mat3, Vec3};
+use common::{Interval, Vec3};
 
 use crate::{
     hit::Hit,
@@ -16,7 +16,30 @@ use crate::{
 #[derive(Clone, Copy, Debug)]
 pub struct Shear {
     origin: Vec3,
-    matrix: Mat3,
+    /// The axis along which the ray runs fastest.
+    main: Axis,
+    /// For each unit of the way along that axis: how far the ray runs along the two others, and one over its speed.
+    slope: Vec3,
+}
+
+/// One of the three axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+impl Axis {
+    /// The same vector with this axis as the last one. The three axes only turn, so right-handed stays right-handed.
+    #[inline(always)]
+    fn last(self, v: Vec3) -> Vec3 {
+        match self {
+            Axis::X => Vec3::new(v.y, v.z, v.x),
+            Axis::Y => Vec3::new(v.z, v.x, v.y),
+            Axis::Z => v,
+        }
+    }
 }
 
 impl Shear {
@@ -24,26 +47,26 @@ impl Shear {
     #[must_use]
     pub fn along(ray: &Ray) -> Self {
         // The third axis is the one along which the ray runs fastest: nothing is divided by a small number.
-        let d = ray.direction;
-        let size = d.abs();
-        let (x, y, z) = if size.x >= size.y && size.x >= size.z {
-            (Vec3::Y, Vec3::Z, Vec3::X)
+        let size = ray.direction.abs();
+        let main = if size.x >= size.y && size.x >= size.z {
+            Axis::X
         } else if size.y >= size.z {
-            (Vec3::Z, Vec3::X, Vec3::Y)
+            Axis::Y
         } else {
-            (Vec3::X, Vec3::Y, Vec3::Z)
+            Axis::Z
         };
-        // Scale the third coordinate to the ray's speed, and take away what the ray moves sideways meanwhile.
-        let third = z / d.dot(z);
-        let rows = Mat3::from_cols(x - third * d.dot(x), y - third * d.dot(y), third);
-        Self { origin: ray.origin, matrix: rows.transpose() }
+        let d = main.last(ray.direction);
+        let third = 1.0 / d.z;
+        Self { origin: ray.origin, main, slope: Vec3::new(third * d.x, third * d.y, third) }
     }
 
     /// A point as it looks along the ray.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn view(&self, point: Vec3) -> Vec3 {
-        self.matrix * (point - self.origin)
+        let Vec3 { x, y, z } = self.main.last(point - self.origin);
+        // Take away what the ray moves sideways meanwhile, and scale the third coordinate to its speed.
+        Vec3::new(x - self.slope.x * z, y - self.slope.y * z, self.slope.z * z)
     }
 }
 // ANCHOR_END: shear

@@ -2,8 +2,18 @@
 //!
 //! Each idea of the chapter has a file of its own, named after it. The pictures are in [`pictures`].
 
+pub mod clip;
+pub mod every_one;
+pub mod kd_tree;
 pub mod model;
 pub mod pictures;
+pub mod primitives;
+pub mod probe;
+pub mod query;
+pub mod rounding;
 pub mod scenes;
+pub mod slabs;
+pub mod structure;
+pub mod triangles;
 
 pub use pictures::CHAPTER;

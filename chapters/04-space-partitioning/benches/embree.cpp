@@ -1,0 +1,98 @@
+// The driver for Embree 3, beside the benchmark: it answers the same rays about the same triangles.
+//
+// The benchmark compiles it where Embree 3 is installed (Debian: libembree-dev), gives it a file, and tells it by lines on
+// standard input what to do:
+//   build   builds the tree with as many threads as there are cores
+//   trace   traces all rays in one thread
+// Each is answered by a line: seconds, rays that hit, sum of all t.
+//
+// The file, little-endian: number of triangles (u32), number of rays (u32), 9 floats for each triangle, 6 for each ray.
+
+#include <embree3/rtcore.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+struct Ray {
+    float origin[3], direction[3];
+};
+
+static RTCScene build(RTCDevice device, const std::vector<float>& corners) {
+    RTCScene scene = rtcNewScene(device);
+    RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    const size_t triangles = corners.size() / 9;
+    auto* vertices = static_cast<float*>(
+        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * triangles));
+    auto* indices = static_cast<uint32_t*>(
+        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), triangles));
+    for (size_t i = 0; i < corners.size(); i++) vertices[i] = corners[i];
+    for (size_t i = 0; i < 3 * triangles; i++) indices[i] = static_cast<uint32_t>(i);
+    rtcCommitGeometry(mesh);
+    rtcAttachGeometry(scene, mesh);
+    rtcReleaseGeometry(mesh);
+    rtcCommitScene(scene);
+    return scene;
+}
+
+int main(int count, char** arguments) {
+    if (count != 2) {
+        std::fprintf(stderr, "error: expected one file of triangles and rays\n");
+        return 2;
+    }
+    std::ifstream file(arguments[1], std::ios::binary);
+    uint32_t sizes[2] = {0, 0};
+    file.read(reinterpret_cast<char*>(sizes), sizeof sizes);
+    std::vector<float> corners(9 * size_t(sizes[0]));
+    std::vector<Ray> rays(sizes[1]);
+    file.read(reinterpret_cast<char*>(corners.data()), std::streamsize(corners.size() * sizeof(float)));
+    file.read(reinterpret_cast<char*>(rays.data()), std::streamsize(rays.size() * sizeof(Ray)));
+    if (!file) {
+        std::fprintf(stderr, "error: the file is shorter than it says\n");
+        return 1;
+    }
+
+    RTCDevice device = rtcNewDevice(nullptr);
+    RTCScene scene = nullptr;
+    std::string word;
+    while (std::cin >> word) {
+        const auto start = std::chrono::steady_clock::now();
+        uint64_t hits = 0;
+        double sum = 0.0;
+        if (word == "build") {
+            if (scene) rtcReleaseScene(scene);
+            scene = build(device, corners);
+        } else if (scene) {
+            RTCIntersectContext context;
+            rtcInitIntersectContext(&context);
+            for (const Ray& ray : rays) {
+                RTCRayHit query = {};
+                query.ray.org_x = ray.origin[0];
+                query.ray.org_y = ray.origin[1];
+                query.ray.org_z = ray.origin[2];
+                query.ray.dir_x = ray.direction[0];
+                query.ray.dir_y = ray.direction[1];
+                query.ray.dir_z = ray.direction[2];
+                query.ray.tfar = std::numeric_limits<float>::infinity();
+                query.ray.mask = -1;
+                query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+                rtcIntersect1(scene, &context, &query);
+                if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
+                    hits++;
+                    sum += query.ray.tfar;
+                }
+            }
+        }
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        std::printf("%.9f %llu %.9g\n", seconds.count(), static_cast<unsigned long long>(hits), sum);
+        std::fflush(stdout);
+    }
+    if (scene) rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+    return 0;
+}

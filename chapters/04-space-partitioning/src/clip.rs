@@ -1,0 +1,142 @@
+//! Clipping: the part of a triangle that lies inside a cell, and the box around it.
+//!
+//! Source: Sutherland, Hodgman, *Reentrant Polygon Clipping*, Communications of the ACM 17(1), 1974.
+
+use common::Vec3;
+use glam::DVec3;
+use ray_casting::{aabb::Aabb, triangle::Triangle};
+
+use crate::{
+    primitives::overlap,
+    rounding::{down, up},
+};
+
+/// Each of the six faces can add one corner to the three that there are.
+const MOST_CORNERS: usize = 9;
+
+/// A convex polygon with few corners, kept without asking the heap for memory.
+#[derive(Clone, Copy)]
+struct Polygon {
+    corners: [DVec3; MOST_CORNERS],
+    count: usize,
+}
+
+impl Polygon {
+    fn of(triangle: &Triangle) -> Self {
+        let [a, b, c] = triangle.corners.map(Vec3::as_dvec3);
+        let mut corners = [DVec3::ZERO; MOST_CORNERS];
+        corners[..3].copy_from_slice(&[a, b, c]);
+        Self { corners, count: 3 }
+    }
+
+    fn corners(&self) -> &[DVec3] {
+        &self.corners[..self.count]
+    }
+
+    fn push(&mut self, corner: DVec3) {
+        // Rounding could add a corner too many only to a polygon without area.
+        if self.count < MOST_CORNERS {
+            self.corners[self.count] = corner;
+            self.count += 1;
+        }
+    }
+
+    // ANCHOR: half_space
+    /// The part on one side of the plane `axis = position`: above it for `side` +1, below it for −1.
+    fn cut(&self, axis: usize, position: f64, side: f64) -> Self {
+        let height = |corner: DVec3| (corner[axis] - position) * side;
+        // Most planes leave the polygon as it is.
+        if self.corners().iter().all(|&corner| height(corner) >= 0.0) {
+            return *self;
+        }
+        let mut part = Self { count: 0, ..*self };
+        let Some(&last) = self.corners().last() else { return part };
+        let mut from = last;
+        for &to in self.corners() {
+            let (before, after) = (height(from), height(to));
+            // An edge that changes sides has a new corner in the plane.
+            if (before < 0.0) != (after < 0.0) {
+                let mut corner = from + (to - from) * (before / (before - after));
+                corner[axis] = position;
+                part.push(corner);
+            }
+            if after >= 0.0 {
+                part.push(to);
+            }
+            from = to;
+        }
+        part
+    }
+    // ANCHOR_END: half_space
+
+    /// The box around it, rounded outward; `None` if it has no corner.
+    fn aabb(&self) -> Option<Aabb> {
+        let low = self.corners().iter().copied().reduce(DVec3::min)?;
+        let high = self.corners().iter().copied().reduce(DVec3::max)?;
+        let min = Vec3::from_array(low.to_array().map(down));
+        Some(Aabb { min, max: Vec3::from_array(high.to_array().map(up)) })
+    }
+}
+
+// ANCHOR: clip
+/// The box around the part of a triangle that lies inside a cell; `None` if no part does.
+#[must_use]
+pub fn clip(triangle: &Triangle, cell: &Aabb) -> Option<Aabb> {
+    let mut part = Polygon::of(triangle);
+    for axis in 0..3 {
+        part = part.cut(axis, cell.min[axis].into(), 1.0).cut(axis, cell.max[axis].into(), -1.0);
+    }
+    overlap(&part.aabb()?, cell)
+}
+// ANCHOR_END: clip
+
+#[cfg(test)]
+mod tests {
+    use common::Stream;
+
+    use super::*;
+
+    const CELL: Aabb = Aabb { min: Vec3::ZERO, max: Vec3::ONE };
+
+    #[test]
+    fn a_triangle_inside_keeps_its_box() {
+        let triangle = Triangle::new(Vec3::splat(0.2), Vec3::new(0.9, 0.3, 0.4), Vec3::new(0.5, 0.8, 0.6));
+        let aabb = clip(&triangle, &CELL);
+        assert_eq!(aabb, Aabb::around(&triangle.corners));
+    }
+
+    #[test]
+    fn a_triangle_whose_box_overlaps_may_miss_the_cell() {
+        // Passes the corner (1, 1) of the cell: the boxes overlap, the triangle does not.
+        let triangle = Triangle::new(Vec3::new(2.0, 0.1, 0.5), Vec3::new(0.1, 2.0, 0.5), Vec3::new(2.0, 2.0, 0.6));
+        assert!(overlap(&Aabb::around(&triangle.corners).unwrap(), &CELL).is_some());
+        assert_eq!(clip(&triangle, &CELL), None);
+        // A face touched from outside counts, in a point or in an edge.
+        let beside = Triangle::new(Vec3::new(1.0, 0.5, 0.5), Vec3::new(2.0, 0.0, 0.0), Vec3::new(2.0, 1.0, 0.0));
+        assert_eq!(clip(&beside, &CELL), Some(Aabb { min: Vec3::new(1.0, 0.5, 0.5), max: Vec3::new(1.0, 0.5, 0.5) }));
+    }
+
+    /// Points of random triangles: those inside the cell are inside the box, and no box without any point near it.
+    #[test]
+    fn the_box_holds_exactly_the_part_inside() {
+        let mut random = Stream::new(4, 0, 0);
+        let mut corner = || Vec3::from_array([(); 3].map(|()| 3.0 * random.uniform() - 1.0));
+        for round in 0..500 {
+            let triangle = Triangle::new(corner(), corner(), corner());
+            let [a, b, c] = triangle.corners;
+            const STEPS: u16 = 60;
+            let points = (0..=STEPS).flat_map(|i| (0..=STEPS - i).map(move |j| (i, j))).map(|(i, j)| {
+                let (u, v) = (f32::from(i) / f32::from(STEPS), f32::from(j) / f32::from(STEPS));
+                a + (b - a) * u + (c - a) * v
+            });
+            let inside: Vec<_> = points.filter(|&p| CELL.contains(p)).collect();
+            let Some(seen) = Aabb::around(&inside) else { continue };
+            let aabb = clip(&triangle, &CELL).unwrap();
+            let grown = |by: f32| Aabb { min: aabb.min - by, max: aabb.max + by };
+            assert!(inside.iter().all(|&p| grown(1e-6).contains(p)), "round {round}");
+            // The points lie at most this far apart, and so does the box from them.
+            let gap = (b - a).length().max((c - a).length()) / f32::from(STEPS) * 2.0;
+            assert!((seen.min - aabb.min).max_element() < gap && (aabb.max - seen.max).max_element() < gap);
+        }
+    }
+}

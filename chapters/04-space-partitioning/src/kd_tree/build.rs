@@ -1,0 +1,150 @@
+//! Building a kd-tree from the top: choose a plane, sort the primitives to its two sides, do the same with the halves.
+
+use ray_casting::aabb::Aabb;
+
+use super::{
+    MAX_DEPTH, Node, halves,
+    split::{Rule, Split, Splitter},
+};
+use crate::primitives::Primitives;
+
+/// A primitive and the box around the part of it that lies inside the cell.
+pub(super) type Reference = (u32, Aabb);
+
+/// Cells with fewer primitives are not worth a task of their own.
+const TASK: usize = 4096;
+
+/// The nodes and the lists of a whole tree.
+pub(super) fn build<P: Primitives>(
+    primitives: &P,
+    rule: Rule,
+    references: Vec<Reference>,
+    aabb: Aabb,
+) -> (Vec<Node>, Vec<P::Entry>) {
+    let builder = Builder { primitives, rule };
+    let mut tree = Subtree::new();
+    // With n primitives a good tree is little deeper than log₂ n.
+    let depth = (8 + 13 * references.len().max(1).ilog2() as usize / 10).min(MAX_DEPTH);
+    builder.grow(&mut tree, 0, references, aabb, depth, &mut Splitter::default());
+    (tree.nodes, tree.lists)
+}
+
+/// A part of a tree whose numbers start at zero.
+struct Subtree<E> {
+    nodes: Vec<Node>,
+    lists: Vec<E>,
+}
+
+struct Builder<'b, P> {
+    primitives: &'b P,
+    rule: Rule,
+}
+
+impl<P: Primitives> Builder<'_, P> {
+    // ANCHOR: grow
+    /// Make `node` a leaf, or halve it and go on with both halves. `depth` says how often it may be halved.
+    fn grow(
+        &self,
+        tree: &mut Subtree<P::Entry>,
+        node: usize,
+        references: Vec<Reference>,
+        cell: Aabb,
+        depth: usize,
+        splitter: &mut Splitter,
+    ) {
+        let split = if depth == 0 { None } else { splitter.choose(self.rule, &references, &cell) };
+        let Some(split) = split else {
+            tree.nodes[node] = tree.leaf(references.iter().map(|(number, _)| self.primitives.entry(*number)));
+            return;
+        };
+        let is_task = references.len() >= TASK;
+        let [lower, upper] = self.part(references, &split);
+        let [lower_cell, upper_cell] = halves(&cell, split.axis, split.position);
+        let first = tree.nodes.len();
+        tree.nodes.extend([Node::leaf(0, 0); 2]);
+        tree.nodes[node] = Node::halved(split.axis, split.position, number(first));
+        if is_task {
+            // Two cores can build the halves side by side. The result is the same, whoever is done first.
+            let subtree = |references, cell| {
+                let mut subtree = Subtree::new();
+                self.grow(&mut subtree, 0, references, cell, depth - 1, &mut Splitter::default());
+                subtree
+            };
+            let both = common::parallel::join(|| subtree(lower, lower_cell), || subtree(upper, upper_cell));
+            tree.hang(first, both.0);
+            tree.hang(first + 1, both.1);
+        } else {
+            self.grow(tree, first, lower, lower_cell, depth - 1, splitter);
+            self.grow(tree, first + 1, upper, upper_cell, depth - 1, splitter);
+        }
+    }
+    // ANCHOR_END: grow
+
+    // ANCHOR: part
+    /// Sort the primitives of a cell into its halves. Those on both sides of the plane are cut by it.
+    fn part(&self, references: Vec<Reference>, split: &Split) -> [Vec<Reference>; 2] {
+        let Split { axis, position, .. } = *split;
+        let mut lower = references;
+        let mut upper = Vec::with_capacity(split.upper + split.upper / 16);
+        lower.retain_mut(|reference| {
+            let (index, aabb) = *reference;
+            match split.side(&aabb) {
+                Side::Lower => true,
+                Side::Upper => {
+                    upper.push(*reference);
+                    false
+                }
+                Side::Both => {
+                    let [below, above] = halves(&aabb, axis, position).map(|half| self.primitives.clipped(index, &half));
+                    upper.extend(above.map(|aabb| (index, aabb)));
+                    if let Some(below) = below {
+                        reference.1 = below;
+                    }
+                    below.is_some()
+                }
+            }
+        });
+        [lower, upper]
+    }
+    // ANCHOR_END: part
+}
+
+/// On which side of a plane a primitive lies.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    Lower,
+    Upper,
+    Both,
+}
+
+impl<E> Subtree<E> {
+    /// An empty leaf.
+    fn new() -> Self {
+        Self { nodes: vec![Node::leaf(0, 0)], lists: Vec::new() }
+    }
+
+    /// A leaf that lists these primitives.
+    fn leaf(&mut self, entries: impl Iterator<Item = E>) -> Node {
+        let first = self.lists.len();
+        self.lists.extend(entries);
+        Node::leaf(number(first), number(self.lists.len() - first))
+    }
+
+    /// Put a subtree in the place of a node.
+    fn hang(&mut self, node: usize, subtree: Subtree<E>) {
+        // The subtree's whole goes to the node itself, all else to the end.
+        let (nodes, lists) = (number(self.nodes.len()), number(self.lists.len()));
+        let moved = |node: Node| match node.is_leaf() {
+            true => Node::leaf(node.place + lists, node.number()),
+            false => Node::halved(node.axis(), node.position(), node.number() - 1 + nodes),
+        };
+        self.nodes[node] = moved(subtree.nodes[0]);
+        self.nodes.extend(subtree.nodes[1..].iter().copied().map(moved));
+        self.lists.extend(subtree.lists);
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "there are fewer than 2³⁰ nodes and entries")]
+fn number(n: usize) -> u32 {
+    n as u32
+}

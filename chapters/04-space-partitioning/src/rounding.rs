@@ -1,0 +1,78 @@
+//! Rounding: how much room a walk must leave, so that it never misses what the loop over all objects would hit.
+
+// ANCHOR: slack
+/// How much earlier than computed a ray may enter a cell, and how much later it may leave, as a share of `t`.
+///
+/// The `t` of a plane, `(plane − origin) / direction`, is off by at most three roundings of half an ε each. The test of a
+/// triangle sees each corner off by about as much, measured along the ray. Both errors grow with the distance, as this
+/// share of it does; 16 ε is several times their sum.
+pub const SLACK: f32 = 16.0 * f32::EPSILON;
+// ANCHOR_END: slack
+
+/// A little before `t`.
+#[inline]
+#[must_use]
+pub fn before(t: f32) -> f32 {
+    t - t.abs() * SLACK
+}
+
+/// A little after `t`.
+#[inline]
+#[must_use]
+pub fn after(t: f32) -> f32 {
+    t + t.abs() * SLACK
+}
+
+// ANCHOR: lesser
+/// The lesser of two numbers; `b` where `a` is no number.
+#[inline]
+#[must_use]
+pub fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// The greater of two numbers; `b` where `a` is no number.
+#[inline]
+#[must_use]
+pub fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+// ANCHOR_END: lesser
+
+/// The `f32` at or just below a number.
+#[inline]
+#[must_use]
+#[expect(clippy::cast_possible_truncation, reason = "that is what it is for")]
+pub fn down(x: f64) -> f32 {
+    let near = x as f32;
+    if f64::from(near) > x { near.next_down() } else { near }
+}
+
+/// The `f32` at or just above a number.
+#[inline]
+#[must_use]
+#[expect(clippy::cast_possible_truncation, reason = "that is what it is for")]
+pub fn up(x: f64) -> f32 {
+    let near = x as f32;
+    if f64::from(near) < x { near.next_up() } else { near }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_goes_in_one_direction() {
+        for x in [0.1_f64, -0.1, 1.0, 1e-60, -1e-60, 1.0 + 1e-12] {
+            assert!(f64::from(down(x)) <= x && x <= f64::from(up(x)));
+        }
+        assert_eq!((down(0.5), up(0.5)), (0.5, 0.5));
+        assert!(before(-1.0) < -1.0 && before(1.0) < 1.0 && after(-1.0) > -1.0 && after(1.0) > 1.0);
+    }
+
+    #[test]
+    fn what_is_no_number_does_not_count() {
+        assert_eq!((lesser(f32::NAN, 1.0), greater(f32::NAN, 1.0)), (1.0, 1.0));
+        assert_eq!((lesser(0.0, 1.0), greater(0.0, 1.0)), (0.0, 1.0));
+    }
+}

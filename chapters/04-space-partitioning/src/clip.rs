@@ -15,7 +15,6 @@ use crate::{
 const MOST_CORNERS: usize = 9;
 
 /// A convex polygon with few corners, kept without asking the heap for memory.
-#[derive(Clone, Copy)]
 struct Polygon {
     corners: [DVec3; MOST_CORNERS],
     count: usize,
@@ -23,16 +22,20 @@ struct Polygon {
 
 impl Polygon {
     fn of(triangle: &Triangle) -> Self {
-        let [a, b, c] = triangle.corners.map(Vec3::as_dvec3);
-        let mut corners = [DVec3::ZERO; MOST_CORNERS];
-        corners[..3].copy_from_slice(&[a, b, c]);
-        Self { corners, count: 3 }
+        let mut polygon = Self::empty();
+        triangle.corners.map(|corner| polygon.push(corner.as_dvec3()));
+        polygon
+    }
+
+    fn empty() -> Self {
+        Self { corners: [DVec3::ZERO; MOST_CORNERS], count: 0 }
     }
 
     fn corners(&self) -> &[DVec3] {
         &self.corners[..self.count]
     }
 
+    #[inline]
     fn push(&mut self, corner: DVec3) {
         // Rounding could add a corner too many only to a polygon without area.
         if self.count < MOST_CORNERS {
@@ -43,27 +46,24 @@ impl Polygon {
 
     // ANCHOR: half_space
     /// The part on one side of the plane `axis = position`: above it for `side` +1, below it for −1.
-    fn cut(&self, axis: usize, position: f64, side: f64) -> Self {
-        let height = |corner: DVec3| (corner[axis] - position) * side;
-        // Most planes leave the polygon as it is.
-        if self.corners().iter().all(|&corner| height(corner) >= 0.0) {
-            return *self;
-        }
-        let mut part = Self { count: 0, ..*self };
+    fn cut(&self, axis: usize, position: f32, side: f64) -> Self {
+        let position = f64::from(position);
+        let mut part = Self::empty();
         let Some(&last) = self.corners().last() else { return part };
-        let mut from = last;
+        let height = |corner: DVec3| (corner[axis] - position) * side;
+        let (mut from, mut from_height) = (last, height(last));
         for &to in self.corners() {
-            let (before, after) = (height(from), height(to));
+            let to_height = height(to);
             // An edge that changes sides has a new corner in the plane.
-            if (before < 0.0) != (after < 0.0) {
-                let mut corner = from + (to - from) * (before / (before - after));
+            if (from_height < 0.0) != (to_height < 0.0) {
+                let mut corner = from + (to - from) * (from_height / (from_height - to_height));
                 corner[axis] = position;
                 part.push(corner);
             }
-            if after >= 0.0 {
+            if to_height >= 0.0 {
                 part.push(to);
             }
-            from = to;
+            (from, from_height) = (to, to_height);
         }
         part
     }
@@ -82,9 +82,18 @@ impl Polygon {
 /// The box around the part of a triangle that lies inside a cell; `None` if no part does.
 #[must_use]
 pub fn clip(triangle: &Triangle, cell: &Aabb) -> Option<Aabb> {
+    let [a, b, c] = triangle.corners;
+    let whole = Aabb { min: a.min(b).min(c), max: a.max(b).max(c) };
+    overlap(&whole, cell)?;
+    // Cut by those faces alone that the triangle reaches through.
     let mut part = Polygon::of(triangle);
     for axis in 0..3 {
-        part = part.cut(axis, cell.min[axis].into(), 1.0).cut(axis, cell.max[axis].into(), -1.0);
+        if whole.min[axis] < cell.min[axis] {
+            part = part.cut(axis, cell.min[axis], 1.0);
+        }
+        if whole.max[axis] > cell.max[axis] {
+            part = part.cut(axis, cell.max[axis], -1.0);
+        }
     }
     overlap(&part.aabb()?, cell)
 }

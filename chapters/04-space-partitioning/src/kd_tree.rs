@@ -17,6 +17,7 @@ use crate::{
     query::{Query, Question},
     rounding::{after, before, greater, lesser},
     slabs::Slabs,
+    subtree::TreeNode as _,
     structure::{Cell, Contents, Partition, Structure, StructureError},
 };
 
@@ -39,10 +40,6 @@ impl Node {
     fn halved(axis: usize, position: f32, lower: u32) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "0, 1 or 2")]
         Self { place: position.to_bits(), rest: lower << 2 | axis as u32 }
-    }
-
-    fn leaf(first: u32, count: u32) -> Self {
-        Self { place: first, rest: count << 2 | LEAF }
     }
 
     /// Let its halves have other numbers.
@@ -101,7 +98,7 @@ impl<E: Copy + Send + Sync> KdTree<E> {
         let Contents { boxes, around } = Contents::of(primitives)?;
         let (nodes, lists) = match around {
             Some(aabb) => build::build(primitives, rule, boxes, aabb),
-            None => (vec![Node::leaf(0, 0)], Vec::new()),
+            None => (vec![Node::EMPTY], Vec::new()),
         };
         Ok(Self { aabb: around, nodes: Layout::of(&nodes), lists })
     }

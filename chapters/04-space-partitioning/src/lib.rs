@@ -4,8 +4,10 @@
 
 pub mod clip;
 pub mod every_one;
+pub mod grid;
 pub mod kd_tree;
 pub mod model;
+pub mod octree;
 pub mod pictures;
 pub mod primitives;
 pub mod probe;
@@ -14,6 +16,7 @@ pub mod rounding;
 pub mod scenes;
 pub mod slabs;
 pub mod structure;
+mod subtree;
 pub mod triangles;
 
 pub use pictures::CHAPTER;

@@ -3,10 +3,13 @@
 use ray_casting::aabb::Aabb;
 
 use super::{
-    MAX_DEPTH, Node, halves,
+    LEAF, MAX_DEPTH, Node, halves,
     split::{Rule, Split, Splitter},
 };
-use crate::primitives::Primitives;
+use crate::{
+    primitives::Primitives,
+    subtree::{Subtree, TreeNode, number},
+};
 
 /// A primitive and the box around the part of it that lies inside the cell.
 pub(super) type Reference = (u32, Aabb);
@@ -29,12 +32,6 @@ pub(super) fn build<P: Primitives>(
     (tree.nodes, tree.lists)
 }
 
-/// A part of a tree whose numbers start at zero.
-struct Subtree<E> {
-    nodes: Vec<Node>,
-    lists: Vec<E>,
-}
-
 struct Builder<'b, P> {
     primitives: &'b P,
     rule: Rule,
@@ -45,7 +42,7 @@ impl<P: Primitives> Builder<'_, P> {
     /// Make `node` a leaf, or halve it and go on with both halves. `depth` says how often it may be halved.
     fn grow(
         &self,
-        tree: &mut Subtree<P::Entry>,
+        tree: &mut Subtree<Node, P::Entry>,
         node: usize,
         references: Vec<Reference>,
         cell: Aabb,
@@ -54,14 +51,14 @@ impl<P: Primitives> Builder<'_, P> {
     ) {
         let split = if depth == 0 { None } else { splitter.choose(self.rule, &references, &cell) };
         let Some(split) = split else {
-            tree.nodes[node] = tree.leaf(references.iter().map(|(number, _)| self.primitives.entry(*number)));
+            tree.set_leaf(node, references.iter().map(|(number, _)| self.primitives.entry(*number)));
             return;
         };
         let is_task = references.len() >= TASK;
         let [lower, upper] = self.part(references, &split);
         let [lower_cell, upper_cell] = halves(&cell, split.axis, split.position);
         let first = tree.nodes.len();
-        tree.nodes.extend([Node::leaf(0, 0); 2]);
+        tree.nodes.extend([Node::EMPTY; 2]);
         tree.nodes[node] = Node::halved(split.axis, split.position, number(first));
         if is_task {
             // Two cores can build the halves side by side. The result is the same, whoever is done first.
@@ -117,34 +114,18 @@ pub(super) enum Side {
     Both,
 }
 
-impl<E> Subtree<E> {
-    /// An empty leaf.
-    fn new() -> Self {
-        Self { nodes: vec![Node::leaf(0, 0)], lists: Vec::new() }
+impl TreeNode for Node {
+    const EMPTY: Self = Self { place: 0, rest: LEAF };
+
+    fn leaf(first: u32, count: u32) -> Self {
+        Self { place: first, rest: count << 2 | LEAF }
     }
 
-    /// A leaf that lists these primitives.
-    fn leaf(&mut self, entries: impl Iterator<Item = E>) -> Node {
-        let first = self.lists.len();
-        self.lists.extend(entries);
-        Node::leaf(number(first), number(self.lists.len() - first))
+    fn moved(self, nodes: u32, lists: u32) -> Self {
+        if self.is_leaf() {
+            Self { place: self.place + lists, ..self }
+        } else {
+            Self::halved(self.axis(), self.position(), self.number().wrapping_add(nodes))
+        }
     }
-
-    /// Put a subtree in the place of a node.
-    fn hang(&mut self, node: usize, subtree: Subtree<E>) {
-        // The subtree's whole goes to the node itself, all else to the end.
-        let (nodes, lists) = (number(self.nodes.len()), number(self.lists.len()));
-        let moved = |node: Node| match node.is_leaf() {
-            true => Node::leaf(node.place + lists, node.number()),
-            false => Node::halved(node.axis(), node.position(), node.number() - 1 + nodes),
-        };
-        self.nodes[node] = moved(subtree.nodes[0]);
-        self.nodes.extend(subtree.nodes[1..].iter().copied().map(moved));
-        self.lists.extend(subtree.lists);
-    }
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "there are fewer than 2³⁰ nodes and entries")]
-fn number(n: usize) -> u32 {
-    n as u32
 }

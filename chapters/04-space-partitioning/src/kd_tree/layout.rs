@@ -5,6 +5,7 @@
 use std::collections::VecDeque;
 
 use super::Node;
+use crate::subtree::TreeNode as _;
 
 /// A processor fetches memory in lines of 64 bytes: four pairs of halves.
 const PAIRS: usize = 4;
@@ -53,7 +54,7 @@ impl Layout {
     /// Give a node the next number, and let its halves follow.
     fn put(&mut self, next: &mut u32, node: Node, near: &mut VecDeque<Pair>) {
         if *next as usize % (2 * PAIRS) == 0 {
-            self.lines.push(Line([Node::leaf(0, 0); 2 * PAIRS]));
+            self.lines.push(Line([Node::EMPTY; 2 * PAIRS]));
         }
         *self.node_mut(*next) = node;
         if !node.is_leaf() {

@@ -1,0 +1,111 @@
+//! Building an octree: divide a cell, sort its primitives to the eight parts, and do the same with each part.
+
+use ray_casting::aabb::Aabb;
+
+use super::{DIVIDED, MAX_DEPTH, Node, octant};
+use crate::{
+    primitives::Primitives,
+    subtree::{Subtree, TreeNode, number},
+};
+
+/// A primitive and the box around the part of it that lies inside the cell.
+type Reference = (u32, Aabb);
+
+/// Cells with fewer primitives are not worth a task of their own.
+const TASK: usize = 4096;
+/// A division that makes so many times as many entries as there were primitives parts nothing.
+const HOPELESS: usize = 3;
+
+/// The nodes and the lists of a whole tree.
+pub(super) fn build<P: Primitives>(
+    primitives: &P,
+    few: usize,
+    references: Vec<Reference>,
+    aabb: Aabb,
+) -> (Vec<Node>, Vec<P::Entry>) {
+    let mut tree = Subtree::new();
+    Builder { primitives, few }.grow(&mut tree, 0, &references, &aabb, MAX_DEPTH);
+    (tree.nodes, tree.lists)
+}
+
+impl TreeNode for Node {
+    const EMPTY: Self = Self { first: 0, count: 0 };
+
+    fn leaf(first: u32, count: u32) -> Self {
+        Self { first, count }
+    }
+
+    fn moved(self, nodes: u32, lists: u32) -> Self {
+        let by = if self.count == DIVIDED { nodes } else { lists };
+        Self { first: self.first.wrapping_add(by), ..self }
+    }
+}
+
+struct Builder<'b, P> {
+    primitives: &'b P,
+    few: usize,
+}
+
+impl<P: Primitives> Builder<'_, P> {
+    // ANCHOR: grow
+    /// Make `node` a leaf, or divide it and go on with its parts. `depth` says how often it may be divided.
+    fn grow(
+        &self,
+        tree: &mut Subtree<Node, P::Entry>,
+        node: usize,
+        references: &[Reference],
+        cell: &Aabb,
+        depth: usize,
+    ) {
+        let parts = if references.len() <= self.few || depth == 0 { None } else { self.part(references, cell) };
+        let Some(parts) = parts else {
+            tree.set_leaf(node, references.iter().map(|(number, _)| self.primitives.entry(*number)));
+            return;
+        };
+        let first = tree.nodes.len();
+        tree.nodes.extend([Node::EMPTY; 8]);
+        tree.nodes[node] = Node { first: number(first), count: DIVIDED };
+        let grow = |tree: &mut _, node, i: usize| self.grow(tree, node, &parts[i], &octant(cell, i), depth - 1);
+        if references.len() < TASK {
+            (0..8).for_each(|i| grow(tree, first + i, i));
+        } else {
+            // Several cores can build the parts side by side. The result is the same, whoever is done first.
+            let subtree = |i| {
+                let mut subtree = Subtree::new();
+                grow(&mut subtree, 0, i);
+                subtree
+            };
+            for (i, subtree) in common::parallel::map(8, subtree).into_iter().enumerate() {
+                tree.hang(first + i, subtree);
+            }
+        }
+    }
+    // ANCHOR_END: grow
+
+    // ANCHOR: part
+    /// Sort the primitives of a cell to its eight parts; `None` if most of them would be in several parts.
+    fn part(&self, references: &[Reference], cell: &Aabb) -> Option<[Vec<Reference>; 8]> {
+        let middle = cell.center();
+        let octants: [Aabb; 8] = std::array::from_fn(|i| octant(cell, i));
+        let mut parts: [Vec<Reference>; 8] = Default::default();
+        for &(number, aabb) in references {
+            let (reaches_up, reaches_down) = (aabb.max.cmpge(middle), aabb.min.cmple(middle));
+            if !(reaches_up & reaches_down).any() {
+                // Its box lies in one part.
+                parts[reaches_up.bitmask() as usize].push((number, aabb));
+                continue;
+            }
+            for (i, part) in parts.iter_mut().enumerate() {
+                let is_near = (0..3).all(|axis| if i >> axis & 1 == 1 { reaches_up.test(axis) } else { reaches_down.test(axis) });
+                if let Some(half) = is_near.then(|| crate::primitives::overlap(&aabb, &octants[i])).flatten()
+                    && let Some(clipped) = self.primitives.clipped(number, &half)
+                {
+                    part.push((number, clipped));
+                }
+            }
+        }
+        let entries: usize = parts.iter().map(Vec::len).sum();
+        ((entries as f32) < std::env::var("HL").map_or(2.0, |f| f.parse::<f32>().unwrap()) * references.len() as f32).then_some(parts)
+    }
+    // ANCHOR_END: part
+}

@@ -15,7 +15,7 @@ const CUSHION: [u32; 2] = [4, 3];
 const SEAT: f32 = 0.44;
 
 /// Number of triangles of the smallest chair, wood and cushions together.
-pub const LEAST_CHAIR: u32 = 68;
+pub const LEAST_CHAIR: u32 = 67;
 
 impl Builder {
     /// The wood of a chair that looks along its frame's z: four legs and the two posts of its back.
@@ -58,7 +58,7 @@ impl Builder {
 
     /// A turned leg of a table with bulges, from the floor to a height. It costs about so many triangles.
     pub fn table_leg(&mut self, frame: &Frame, height: f32, radius: f32, triangles: u32) {
-        let [sides, steps] = grid(triangles, 0.7, [4, 1]);
+        let [sides, steps] = grid(triangles, 0.7, [3, 1]);
         let profile: Vec<Vec2> = (0..=steps)
             .map(|i| ratio(i, steps))
             .map(|y| {

@@ -47,7 +47,7 @@ fn make(triangles: u32) -> Model {
     things::books(&mut builder, &shelves, part(0.2));
     things::table(&mut builder, part(0.05));
     things::on_the_table(&mut builder, part(0.05));
-    things::chairs(&mut builder, part(0.27));
+    things::chairs(&mut builder, part(0.272));
     things::lamps(&mut builder, part(0.04));
     things::globe(&mut builder, part(0.02));
     // Leaves have what is left.
@@ -59,7 +59,7 @@ fn make(triangles: u32) -> Model {
         parts: builder.parts,
         view: View { eye: Vec3::new(0.95, 1.62, 0.9), lookat: Vec3::new(-0.15, 1.42, -7.0), field_of_view: 44.0 },
         lights: lights(),
-        ambient: Rgb::new(0.19, 0.2, 0.235),
+        ambient: Rgb::new(0.34, 0.32, 0.33),
         background: srgb(226, 236, 246),
     }
 }
@@ -67,12 +67,15 @@ fn make(triangles: u32) -> Model {
 /// The sun and the sky through the windows, lamps over the table, and what the bright walls send back.
 fn lights() -> Vec<Box<dyn Light>> {
     let mut lights: Vec<Box<dyn Light>> = vec![
-        Box::new(DirectionalLight::new(Vec3::new(-1.0, 0.62, -0.34), Rgb::new(4.6, 3.7, 2.5))),
-        Box::new(PointLight { position: Vec3::new(2.6, 3.3, 0.6), intensity: Rgb::new(3.6, 3.4, 3.2) }),
-        Box::new(PointLight { position: Vec3::new(-2.6, 2.9, -11.0), intensity: Rgb::new(2.0, 2.1, 2.3) }),
+        Box::new(DirectionalLight::new(Vec3::new(-1.0, 0.52, -0.12), Rgb::new(9.0, 7.0, 4.5))),
+        // The sky before the windows.
+        Box::new(PointLight { position: Vec3::new(-3.0, 2.0, -2.3), intensity: Rgb::new(3.4, 3.8, 4.4) }),
+        Box::new(PointLight { position: Vec3::new(-2.9, 2.2, -8.7), intensity: Rgb::new(3.4, 3.8, 4.4) }),
+        // What the sunlit floor sends to the ceiling.
+        Box::new(PointLight { position: Vec3::new(0.9, 1.35, -0.6), intensity: Rgb::new(5.6, 4.6, 3.4) }),
     ];
     for lamp in LAMPS {
-        lights.push(Box::new(PointLight { position: lamp + Vec3::Y * 0.07, intensity: Rgb::new(1.9, 1.4, 0.85) }));
+        lights.push(Box::new(PointLight { position: lamp + Vec3::Y * 0.07, intensity: Rgb::new(2.6, 1.9, 1.1) }));
     }
     lights
 }

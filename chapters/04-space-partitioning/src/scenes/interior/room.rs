@@ -13,13 +13,15 @@ use crate::scenes::{
 
 /// Height of the window sills.
 const SILL: f32 = 0.62;
+/// Where walls begin: under the floor, so that no light comes in between.
+const UNDER: f32 = -0.05;
 /// Thickness of the outer walls.
 const THICK: f32 = 0.4;
 /// The wall around a window to the sun.
-const SUNNY: Arch = Arch { width: 0.0, bottom: 0.0, spring: 2.35, top: HEIGHT, radius: 0.78, depth: THICK };
+const SUNNY: Arch = Arch { width: 0.0, bottom: UNDER, spring: 2.35, top: HEIGHT, radius: 0.78, depth: THICK };
 /// The far wall with its large window.
 const FAR_WALL: Arch =
-    Arch { width: 2.0 * HALF_WIDTH, bottom: 0.0, spring: 2.05, top: HEIGHT, radius: 1.25, depth: THICK };
+    Arch { width: 2.0 * HALF_WIDTH, bottom: UNDER, spring: 2.05, top: HEIGHT, radius: 1.25, depth: THICK };
 
 /// Where the windows to the sun are: the middles of their pieces of wall, on the inner face.
 fn sunny(windows: u32) -> (Vec<Frame>, Arch) {
@@ -44,26 +46,26 @@ fn windows(triangles: u32) -> u32 {
 pub(super) fn walls(builder: &mut Builder, triangles: u32) {
     builder.part("walls", Phong::of(srgb(216, 200, 172), 0.0, 1.0));
     let (frames, sunny) = sunny(windows(triangles));
-    let segments = number(triangles / 6, 6, [3, 64]);
+    let segments = number(triangles, 30, [2, 64]);
     for frame in &frames {
         builder.arch(frame, &sunny, segments);
     }
     builder.arch(&far(), &FAR_WALL, segments);
     let [w, h] = [HALF_WIDTH, HEIGHT];
-    let corners = |points: [[f32; 3]; 4]| points.map(Vec3::from);
-    builder.quad(corners([[w, 0.0, FAR], [w, 0.0, NEAR], [w, h, NEAR], [w, h, FAR]].map(|[x, y, z]| [x, y, z])).map(|p| p));
-    builder.quad(corners([[w, 0.0, NEAR], [-w, 0.0, NEAR], [-w, h, NEAR], [w, h, NEAR]]));
+    builder.quad([[w, UNDER, NEAR], [w, UNDER, FAR], [w, h, FAR], [w, h, NEAR]].map(Vec3::from));
+    builder.quad([[w, UNDER, NEAR], [w, h, NEAR], [-w, h, NEAR], [-w, UNDER, NEAR]].map(Vec3::from));
     // The parapets below the windows.
     for frame in &frames {
-        builder.cuboid(frame, Vec3::new(-sunny.radius, 0.0, -THICK), Vec3::new(sunny.radius, SILL, -0.02));
+        builder.cuboid(frame, Vec3::new(-sunny.radius, UNDER, -THICK), Vec3::new(sunny.radius, SILL, -0.02));
     }
-    builder.cuboid(&far(), Vec3::new(-FAR_WALL.radius, 0.0, -THICK), Vec3::new(FAR_WALL.radius, SILL, -0.02));
+    builder.cuboid(&far(), Vec3::new(-FAR_WALL.radius, UNDER, -THICK), Vec3::new(FAR_WALL.radius, SILL, -0.02));
 }
 
 /// The plaster above, and beams under it that cross each other.
 pub(super) fn ceiling(builder: &mut Builder, triangles: u32) {
     builder.part("ceiling", Phong::of(srgb(232, 222, 202), 0.0, 1.0));
-    builder.block([-HALF_WIDTH - THICK, HEIGHT, FAR - THICK], [HALF_WIDTH, HEIGHT + 0.2, NEAR]);
+    let [left, right] = [-HALF_WIDTH - THICK, HALF_WIDTH];
+    builder.quad([[left, FAR - THICK], [right, FAR - THICK], [right, NEAR], [left, NEAR]].map(|[x, z]| [x, HEIGHT, z].into()));
     builder.part("beams", wood(srgb(106, 68, 42)));
     let across = number(triangles, 24, [0, 9]);
     for i in 0..across {
@@ -89,12 +91,15 @@ pub(super) fn floor(builder: &mut Builder, triangles: u32) {
     const PLANK: u32 = 12;
     /// Narrowest plank: more than so many would not lie side by side.
     const MOST: [u32; 2] = [58, 12];
-    let [across, along] = match triangles / PLANK {
-        0..16 => [1, 1],
-        planks => grid(2 * planks, 6.0, [4, 2]),
-    };
+    if triangles / PLANK < 16 {
+        builder.part("floor", Phong::of(srgb(160, 108, 64), 0.16, 60.0));
+        builder.quad([[-4.0, NEAR], [4.0, NEAR], [4.0, FAR], [-4.0, FAR]].map(|[x, z]| [x, 0.0, z].into()));
+        rug(builder, triangles);
+        return;
+    }
+    let [across, along] = grid(2 * (triangles / PLANK), 6.0, [4, 2]);
     let [across, along] = [across.min(MOST[0]), along.min(MOST[1])];
-    let joint = if across > 1 { 0.0025 } else { 0.0 };
+    const JOINT: f32 = 0.0025;
     let colors = [("light planks", srgb(178, 126, 78)), ("planks", srgb(160, 108, 64)), ("dark planks", srgb(142, 94, 56))];
     for (shade, (name, color)) in colors.into_iter().enumerate() {
         builder.part(name, Phong::of(color, 0.16, 60.0));
@@ -103,12 +108,12 @@ pub(super) fn floor(builder: &mut Builder, triangles: u32) {
             let mut chance = Chance::of(11, i);
             let [left, right] = [i, i + 1].map(|i| HALF_WIDTH * (2.0 * ratio(i, across) - 1.0));
             let length = (NEAR - FAR) / ratio(along, 1);
-            let shift = if along > 1 { chance.between(0.1, 0.9) * length } else { 0.0 };
+            let shift = chance.between(0.1, 0.9) * length;
             for k in 0..=along {
                 let wanted = chance.index(colors.len());
                 let [near, far] = [k, k + 1].map(|k| (NEAR + shift - length * ratio(k, 1)).clamp(FAR, NEAR));
-                if wanted == shade && near - far > 0.01 || across == 1 && shade == 1 && k == 0 {
-                    builder.block([left + joint, -0.04, far + joint], [right - joint, 0.0, near - joint]);
+                if wanted == shade && near - far > 0.01 {
+                    builder.block([left + JOINT, -0.04, far + JOINT], [right - JOINT, 0.0, near - JOINT]);
                 }
             }
         }
@@ -120,8 +125,12 @@ pub(super) fn floor(builder: &mut Builder, triangles: u32) {
 
 /// A rug of three bands under the table.
 fn rug(builder: &mut Builder, triangles: u32) {
-    let bands = [("rug", srgb(132, 42, 38), 0.0), ("rug's border", srgb(206, 170, 112), 0.14), ("rug's middle", srgb(116, 34, 36), 0.24)];
-    let seen = if triangles < 60 { 1 } else { bands.len() };
+    let bands = [("rug", srgb(150, 62, 48), 0.0), ("rug's border", srgb(70, 96, 96), 0.14), ("rug's middle", srgb(176, 156, 124), 0.24)];
+    let seen = match triangles {
+        0..24 => 0,
+        24..60 => 1,
+        _ => bands.len(),
+    };
     for ((name, color, inset), height) in bands.into_iter().zip([0.008_f32, 0.01, 0.012]).take(seen) {
         builder.part(name, Phong::of(color, 0.0, 1.0));
         builder.block([-1.9 + inset, 0.001, -10.4 + inset], [1.9 - inset, height, -2.4 - inset]);

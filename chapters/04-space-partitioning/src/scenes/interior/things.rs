@@ -127,7 +127,9 @@ pub(super) fn table(builder: &mut Builder, triangles: u32) {
     } else {
         builder.cushion(&here, middle, half, top, 40.0);
     }
-    builder.block([-0.58, TABLE - 0.15, far + 0.25], [0.58, TABLE - 0.061, near - 0.25]);
+    if triangles >= 40 {
+        builder.block([-0.58, TABLE - 0.15, far + 0.25], [0.58, TABLE - 0.061, near - 0.25]);
+    }
     let rows = number(triangles, 80, [2, 4]);
     for i in 0..rows {
         let z = near - 0.35 + (far - near + 0.7) * ratio(i, rows - 1);
@@ -140,7 +142,7 @@ pub(super) fn table(builder: &mut Builder, triangles: u32) {
 /// Open books, piles of books, bowls, and reading lamps with green shades.
 pub(super) fn on_the_table(builder: &mut Builder, triangles: u32) {
     const FEWEST: u32 = 40;
-    let places = number(triangles, FEWEST, [1, 14]);
+    let places = number(triangles, FEWEST, [0, 14]);
     let place = |i: u32, x: f32| {
         let mut chance = Chance::of(14, i);
         let [near, far] = TABLE_ENDS;
@@ -149,7 +151,7 @@ pub(super) fn on_the_table(builder: &mut Builder, triangles: u32) {
         let frame = Frame::at(Vec3::new(side * x, TABLE + 0.001, z + chance.around(0.12)));
         (frame.turned(Vec3::Y, side * 90.0 + chance.around(16.0)), chance)
     };
-    let each = triangles / places;
+    let each = triangles / places.max(1);
     builder.part("open books", Phong::of(srgb(236, 226, 204), 0.0, 1.0));
     for i in 0..places {
         builder.open_book(&place(i, 0.42).0, number(share(each, 0.15), 4, [2, 400]));
@@ -201,6 +203,7 @@ fn reading_lamps(builder: &mut Builder, triangles: u32) {
 /// Chairs at both sides of the table.
 pub(super) fn chairs(builder: &mut Builder, triangles: u32) {
     let pairs = number(triangles, 2 * LEAST_CHAIR, [1, 7]);
+    let seats = if triangles < LEAST_CHAIR { 1 } else { 2 * pairs };
     let [near, far] = TABLE_ENDS;
     let mut frames = vec![];
     for i in 0..pairs {
@@ -212,7 +215,8 @@ pub(super) fn chairs(builder: &mut Builder, triangles: u32) {
             frames.push(Frame::at(Vec3::new(x, 0.0, z)).turned(Vec3::Y, -side * 90.0 + chance.around(14.0)));
         }
     }
-    let [wooden, padded] = chair_shares(triangles / (2 * pairs));
+    frames.truncate(usize::try_from(seats).unwrap_or(usize::MAX));
+    let [wooden, padded] = chair_shares(triangles / seats);
     builder.part("chairs", wood(srgb(112, 66, 38)));
     for frame in &frames {
         builder.chair_wood(frame, wooden);
@@ -228,8 +232,8 @@ pub(super) fn lamps(builder: &mut Builder, triangles: u32) {
     const WIDE: f32 = 0.34;
     const HIGH: f32 = 0.24;
     const THIN: f32 = 0.008;
-    let hung = number(triangles, 18, [1, 3]);
-    let [sides, steps] = grid(triangles / (2 * hung), 3.0, [4, 1]);
+    let hung = number(triangles, 18, [0, 3]);
+    let [sides, steps] = grid(triangles / (2 * hung.max(1)), 3.0, [4, 1]);
     let steps = steps.max(2);
     let dome = |t: f32, wide: f32| {
         let angle = std::f32::consts::FRAC_PI_2 * t;

@@ -23,6 +23,15 @@ pub struct Arch {
     pub depth: f32,
 }
 
+/// Which faces of a wall are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Faces {
+    /// Only the one that is seen.
+    Front,
+    /// Both.
+    Both,
+}
+
 impl Arch {
     /// The point of the round part at a share of the way over it, from the right to the left.
     #[must_use]
@@ -33,20 +42,33 @@ impl Arch {
 
     /// Number of triangles of [`Builder::arch`].
     #[must_use]
-    pub fn cost(segments: u32) -> u32 {
-        6 * segments + 12
+    pub fn cost(segments: u32, faces: Faces) -> u32 {
+        match faces {
+            Faces::Front => 4 * segments + 8,
+            Faces::Both => 6 * segments + 12,
+        }
+    }
+
+    /// How many segments so many triangles pay for, at least two.
+    #[must_use]
+    pub fn segments(triangles: u32, faces: Faces) -> u32 {
+        let left = triangles.saturating_sub(Self::cost(0, faces));
+        (left / (Self::cost(1, faces) - Self::cost(0, faces))).max(2)
     }
 }
 
 impl Builder {
-    /// The wall around an arch: front, back and the inside of the opening.
-    pub fn arch(&mut self, frame: &Frame, arch: &Arch, segments: u32) {
+    /// The wall around an arch: its faces and the inside of the opening.
+    pub fn arch(&mut self, frame: &Frame, arch: &Arch, segments: u32, faces: Faces) {
         let at = |x: f32, y: f32, z: f32| frame.point_to_world(Vec3::new(x, y, z));
         let (half, back) = (arch.width / 2.0, -arch.depth);
         // Above the opening.
         for i in 0..segments {
             let [a, b] = [i, i + 1].map(|i| arch.over(ratio(i, segments), arch.radius));
             self.quad([at(b.x, b.y, 0.0), at(a.x, a.y, 0.0), at(a.x, arch.top, 0.0), at(b.x, arch.top, 0.0)]);
+            if faces == Faces::Front {
+                continue;
+            }
             self.quad([at(a.x, a.y, back), at(b.x, b.y, back), at(b.x, arch.top, back), at(a.x, arch.top, back)]);
         }
         self.surface(segments, 1, |u, v| {
@@ -57,7 +79,9 @@ impl Builder {
         for [left, right] in [[-half, -arch.radius], [arch.radius, half]] {
             let (low, high) = (arch.bottom, arch.top);
             self.quad([at(left, low, 0.0), at(right, low, 0.0), at(right, high, 0.0), at(left, high, 0.0)]);
-            self.quad([at(right, low, back), at(left, low, back), at(left, high, back), at(right, high, back)]);
+            if faces == Faces::Both {
+                self.quad([at(right, low, back), at(left, low, back), at(left, high, back), at(right, high, back)]);
+            }
             // Its lower side where columns carry it, otherwise the jamb.
             if arch.bottom == arch.spring {
                 self.quad([at(left, low, back), at(right, low, back), at(right, low, 0.0), at(left, low, 0.0)]);
@@ -75,8 +99,8 @@ impl Builder {
     /// triangles.
     pub fn molding(&mut self, frame: &Frame, arch: &Arch, thickness: f32, [segments, rounds]: [u32; 2]) {
         self.surface(rounds, segments, |u, v| {
-            // Across the bar from its outer to its inner edge, bulging forward.
-            let across = arch.over(u, 1.0) - Vec2::Y * arch.spring;
+            // Across the bar from its inner to its outer edge, bulging forward.
+            let across = arch.over(1.0 - u, 1.0) - Vec2::Y * arch.spring;
             let point = arch.over(v, arch.radius + thickness * (1.0 + across.x));
             frame.point_to_world(point.extend(thickness * across.y))
         });

@@ -7,10 +7,13 @@ pub mod builder;
 pub mod chance;
 #[cfg(test)]
 mod checks;
+pub mod court;
 pub mod foliage;
+pub mod fountain;
 pub mod furniture;
 pub mod interior;
 pub mod shapes;
+pub mod square;
 
 use crate::model::Model;
 
@@ -26,4 +29,4 @@ pub struct Generator {
 }
 
 /// All of them.
-pub const GENERATORS: &[Generator] = &[interior::GENERATOR];
+pub const GENERATORS: &[Generator] = &[interior::GENERATOR, court::GENERATOR, square::GENERATOR];

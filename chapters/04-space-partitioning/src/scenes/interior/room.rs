@@ -5,7 +5,7 @@ use ray_casting::{frame::Frame, material::Phong};
 
 use super::{FAR, HALF_WIDTH, HEIGHT, NEAR, wood};
 use crate::scenes::{
-    arches::Arch,
+    arches::{Arch, Faces},
     budget::{grid, number, ratio},
     builder::Builder,
     chance::Chance,
@@ -48,9 +48,9 @@ pub(super) fn walls(builder: &mut Builder, triangles: u32) {
     let (frames, sunny) = sunny(windows(triangles));
     let segments = number(triangles, 30, [2, 64]);
     for frame in &frames {
-        builder.arch(frame, &sunny, segments);
+        builder.arch(frame, &sunny, segments, Faces::Both);
     }
-    builder.arch(&far(), &FAR_WALL, segments);
+    builder.arch(&far(), &FAR_WALL, segments, Faces::Both);
     let [w, h] = [HALF_WIDTH, HEIGHT];
     builder.quad([[w, UNDER, NEAR], [w, UNDER, FAR], [w, h, FAR], [w, h, NEAR]].map(Vec3::from));
     builder.quad([[w, UNDER, NEAR], [w, h, NEAR], [-w, h, NEAR], [-w, UNDER, NEAR]].map(Vec3::from));

@@ -6,6 +6,7 @@ mod arcade;
 mod fittings;
 mod garden;
 mod tower;
+mod trim;
 
 use common::{Rgb, Vec3, color::srgb};
 use ray_casting::{
@@ -116,9 +117,9 @@ fn make(triangles: u32) -> Model {
     arcade::galleries(&mut builder);
     arcade::moldings(&mut builder, bays, part(0.07));
     arcade::columns(&mut builder, bays, part(0.25));
-    arcade::cornices(&mut builder, part(0.05));
-    arcade::balustrades(&mut builder, bays, part(0.1));
-    arcade::paving(&mut builder, part(0.06));
+    trim::cornices(&mut builder, part(0.05));
+    trim::balustrades(&mut builder, bays, part(0.1));
+    trim::paving(&mut builder, part(0.06));
     // What is in it.
     fittings::doors(&mut builder, bays, part(0.02));
     fittings::banners(&mut builder, bays, part(0.05));
@@ -154,4 +155,12 @@ fn lights() -> Vec<Box<dyn Light>> {
         }
     }
     lights
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn it_keeps_its_promises() {
+        crate::scenes::checks::keeps_its_promises(&super::GENERATOR);
+    }
 }

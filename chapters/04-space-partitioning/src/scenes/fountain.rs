@@ -78,7 +78,10 @@ fn finer(points: &[Vec2], steps: u32) -> Vec<Vec2> {
         let [a, b, c, d] = [at(i.saturating_sub(1)), at(i), at(i + 1), at(i + 2)];
         for step in 0..steps {
             let t = ratio(step, steps);
-            let bent = b * 2.0 + (c - a) * t + (a * 2.0 - b * 5.0 + c * 4.0 - d) * (t * t) + (b * 3.0 - a - c * 3.0 + d) * (t * t * t);
+            let bent = b * 2.0
+                + (c - a) * t
+                + (a * 2.0 - b * 5.0 + c * 4.0 - d) * (t * t)
+                + (b * 3.0 - a - c * 3.0 + d) * (t * t * t);
             line.push((bent * 0.5).max(Vec2::new(0.01, 0.0)));
         }
     }

@@ -63,7 +63,7 @@ impl Builder {
             .map(|i| ratio(i, steps))
             .map(|y| {
                 let bulge = 0.72 + 0.22 * float::sin(y * 9.5) * y + 0.12 * float::cos(y * 31.0);
-                Vec2::new(radius * if y < 1e-3 || y > 1.0 - 1e-3 { 0.9 } else { bulge }, height * y)
+                Vec2::new(radius * if y > 0.0 && y < 1.0 { bulge } else { 0.9 }, height * y)
             })
             .collect();
         self.turned(frame, &profile, sides);
@@ -87,7 +87,12 @@ impl Builder {
             self.quad([at(x, 0.0, near), at(x, 0.0, far), at(x, size.y, far), at(x, size.y, near)]);
         }
         // Above and below.
-        self.quad([at(-half, size.y, 0.0), at(half, size.y, 0.0), at(half, size.y, -size.z), at(-half, size.y, -size.z)]);
+        self.quad([
+            at(-half, size.y, 0.0),
+            at(half, size.y, 0.0),
+            at(half, size.y, -size.z),
+            at(-half, size.y, -size.z),
+        ]);
         self.quad([at(-half, 0.0, -size.z), at(half, 0.0, -size.z), at(half, 0.0, 0.0), at(-half, 0.0, 0.0)]);
     }
 
@@ -97,14 +102,16 @@ impl Builder {
         const HIGH: f32 = 0.26;
         self.surface(2 * steps.max(1), 1, |u, v| {
             let x = 2.0 * u - 1.0;
-            let y = 0.006 + 0.035 * (1.0 - (2.0 * x.abs() - 0.7) * (2.0 * x.abs() - 0.7) * 0.6).max(0.0) * x.abs().min(0.35);
+            let y = 0.006
+                + 0.035 * (1.0 - (2.0 * x.abs() - 0.7) * (2.0 * x.abs() - 0.7) * 0.6).max(0.0) * x.abs().min(0.35);
             frame.point_to_world(Vec3::new(x * WIDE, y, HIGH * (0.5 - v)))
         });
     }
 
     /// A cup or bowl: a turned body, open above.
     pub fn cup(&mut self, frame: &Frame, radius: f32, height: f32, sides: u32) {
-        let profile = [[0.0, 0.0], [0.6, 0.0], [0.6, 0.0], [0.95, 0.4], [1.0, 1.0], [0.9, 1.0], [0.84, 0.4], [0.0, 0.1]];
+        let profile =
+            [[0.0, 0.0], [0.6, 0.0], [0.6, 0.0], [0.95, 0.4], [1.0, 1.0], [0.9, 1.0], [0.84, 0.4], [0.0, 0.1]];
         self.turned(frame, &profile.map(|[r, y]| Vec2::new(r * radius, y * height)), sides);
     }
 

@@ -2,7 +2,9 @@
 //!
 //! It has the character and size of CONFERENCE: large flat walls, and furniture of many small triangles.
 
+mod library;
 mod room;
+mod table;
 mod things;
 
 use common::{Rgb, Vec3, color::srgb};
@@ -37,17 +39,17 @@ fn make(triangles: u32) -> Model {
     room::ceiling(&mut builder, part(0.02));
     room::floor(&mut builder, part(0.06));
     room::window_bars(&mut builder, part(0.03));
-    let shelves = room::shelves(triangles);
+    let shelves = library::shelves(triangles);
     builder.part("shelves", wood(srgb(122, 78, 46)));
     for shelf in &shelves {
         shelf.wood(&mut builder);
     }
     // What can be moved.
     things::curtains(&mut builder, part(0.06));
-    things::books(&mut builder, &shelves, part(0.2));
-    things::table(&mut builder, part(0.05));
-    things::on_the_table(&mut builder, part(0.05));
-    things::chairs(&mut builder, part(0.272));
+    library::books(&mut builder, &shelves, part(0.2));
+    table::table(&mut builder, part(0.05));
+    table::on_the_table(&mut builder, part(0.05));
+    table::chairs(&mut builder, part(0.272));
     things::lamps(&mut builder, part(0.04));
     things::globe(&mut builder, part(0.02));
     // Leaves have what is left.
@@ -80,7 +82,20 @@ fn lights() -> Vec<Box<dyn Light>> {
     lights
 }
 
+/// Brass, polished.
+fn brass() -> Phong {
+    Phong::of(srgb(196, 150, 70), 1.2, 60.0)
+}
+
 /// Waxed wood of a color.
 fn wood(color: Rgb) -> Phong {
     Phong::of(color, 0.12, 30.0)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn it_keeps_its_promises() {
+        crate::scenes::checks::keeps_its_promises(&super::GENERATOR);
+    }
 }

@@ -39,7 +39,7 @@ fn make(triangles: u32) -> Model {
     // What is built.
     let houses = houses::all(triangles);
     houses::walls(&mut builder, &houses, part(0.02));
-    windows::windows(&mut builder, &houses, part(0.08));
+    windows::windows(&mut builder, &houses, part(0.13));
     roofs::roofs(&mut builder, &houses, part(0.08));
     ground::paving(&mut builder, part(0.12));
     ground::hills(&mut builder, part(0.02));
@@ -70,4 +70,12 @@ fn lights() -> Vec<Box<dyn Light>> {
         Box::new(DirectionalLight::new(Vec3::new(0.1, 1.0, 0.15), Rgb::new(0.42, 0.5, 0.64))),
         Box::new(DirectionalLight::new(Vec3::new(0.7, 0.6, 1.0), Rgb::new(0.34, 0.32, 0.32))),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn it_keeps_its_promises() {
+        crate::scenes::checks::keeps_its_promises(&super::GENERATOR);
+    }
 }

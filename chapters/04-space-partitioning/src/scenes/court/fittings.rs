@@ -55,8 +55,11 @@ pub(super) fn doors(builder: &mut Builder, bays: Bays, triangles: u32) {
 /// Banners that hang over the balustrades, in three colors.
 pub(super) fn banners(builder: &mut Builder, bays: Bays, triangles: u32) {
     const FEWEST: u32 = 4;
-    let colors =
-        [("crimson banners", srgb(158, 48, 48)), ("blue banners", srgb(52, 92, 140)), ("golden banners", srgb(214, 162, 74))];
+    let colors = [
+        ("crimson banners", srgb(158, 48, 48)),
+        ("blue banners", srgb(52, 92, 140)),
+        ("golden banners", srgb(214, 162, 74)),
+    ];
     let number = number(triangles, FEWEST, [0, 2 * (bays.side - 1)]);
     let each = triangles / number.max(1);
     for (color, (name, albedo)) in colors.into_iter().enumerate() {
@@ -93,19 +96,15 @@ pub(super) fn lanterns(builder: &mut Builder, bays: Bays, triangles: u32) {
     builder.part("shades of the lanterns", Phong::of(srgb(255, 226, 170), 0.3, 30.0));
     for &place in &places {
         // A cup of glass, open below, whose light is inside.
-        let profile: Vec<Vec2> = (0..=steps)
-            .map(|i| ratio(i, steps))
-            .map(|t| Vec2::new(0.15 - 0.13 * t * t, -0.16 + 0.3 * t))
-            .collect();
+        let profile: Vec<Vec2> =
+            (0..=steps).map(|i| ratio(i, steps)).map(|t| Vec2::new(0.15 - 0.13 * t * t, -0.16 + 0.3 * t)).collect();
         let inside: Vec<Vec2> = profile.iter().rev().map(|p| Vec2::new(p.x - 0.006, p.y - 0.004)).collect();
         builder.turned(&Frame::at(place), &inside, sides);
     }
     builder.part("iron of the lanterns", Phong::of(srgb(52, 48, 46), 0.3, 30.0));
     for &place in &places {
-        let profile: Vec<Vec2> = (0..=steps)
-            .map(|i| ratio(i, steps))
-            .map(|t| Vec2::new(0.155 - 0.13 * t * t, -0.16 + 0.3 * t))
-            .collect();
+        let profile: Vec<Vec2> =
+            (0..=steps).map(|i| ratio(i, steps)).map(|t| Vec2::new(0.155 - 0.13 * t * t, -0.16 + 0.3 * t)).collect();
         builder.turned(&Frame::at(place), &profile, sides);
         builder.bar(place + Vec3::Y * 0.13, place.with_y(4.9), 0.012, 4);
     }

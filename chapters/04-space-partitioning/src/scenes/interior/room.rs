@@ -1,4 +1,4 @@
-//! The room itself: walls with arched windows, a ceiling of beams, a floor of planks, shelves.
+//! The room itself: walls with arched windows, a ceiling of beams, a floor of planks.
 
 use common::{Vec2, Vec3, color::srgb};
 use ray_casting::{frame::Frame, material::Phong};
@@ -65,7 +65,9 @@ pub(super) fn walls(builder: &mut Builder, triangles: u32) {
 pub(super) fn ceiling(builder: &mut Builder, triangles: u32) {
     builder.part("ceiling", Phong::of(srgb(232, 222, 202), 0.0, 1.0));
     let [left, right] = [-HALF_WIDTH - THICK, HALF_WIDTH];
-    builder.quad([[left, FAR - THICK], [right, FAR - THICK], [right, NEAR], [left, NEAR]].map(|[x, z]| [x, HEIGHT, z].into()));
+    builder.quad(
+        [[left, FAR - THICK], [right, FAR - THICK], [right, NEAR], [left, NEAR]].map(|[x, z]| [x, HEIGHT, z].into()),
+    );
     builder.part("beams", wood(srgb(106, 68, 42)));
     let across = number(triangles, 24, [0, 9]);
     for i in 0..across {
@@ -100,7 +102,8 @@ pub(super) fn floor(builder: &mut Builder, triangles: u32) {
     let [across, along] = grid(2 * (triangles / PLANK), 6.0, [4, 2]);
     let [across, along] = [across.min(MOST[0]), along.min(MOST[1])];
     const JOINT: f32 = 0.0025;
-    let colors = [("light planks", srgb(178, 126, 78)), ("planks", srgb(160, 108, 64)), ("dark planks", srgb(142, 94, 56))];
+    let colors =
+        [("light planks", srgb(178, 126, 78)), ("planks", srgb(160, 108, 64)), ("dark planks", srgb(142, 94, 56))];
     for (shade, (name, color)) in colors.into_iter().enumerate() {
         builder.part(name, Phong::of(color, 0.16, 60.0));
         for i in 0..across {
@@ -125,7 +128,11 @@ pub(super) fn floor(builder: &mut Builder, triangles: u32) {
 
 /// A rug of three bands under the table.
 fn rug(builder: &mut Builder, triangles: u32) {
-    let bands = [("rug", srgb(150, 62, 48), 0.0), ("rug's border", srgb(70, 96, 96), 0.14), ("rug's middle", srgb(176, 156, 124), 0.24)];
+    let bands = [
+        ("rug", srgb(150, 62, 48), 0.0),
+        ("rug's border", srgb(70, 96, 96), 0.14),
+        ("rug's middle", srgb(176, 156, 124), 0.24),
+    ];
     let seen = match triangles {
         0..24 => 0,
         24..60 => 1,
@@ -166,61 +173,4 @@ pub(super) fn window_bars(builder: &mut Builder, triangles: u32) {
         // The sill.
         builder.cuboid(&frame, Vec3::new(-r - 0.08, SILL, -THICK), Vec3::new(r + 0.08, SILL + 0.05, 0.06));
     }
-}
-
-/// A wall of shelves. Its frame stands at the left end at the back; x runs along the shelves, z into the room.
-pub(super) struct Shelf {
-    pub(super) frame: Frame,
-    pub(super) width: f32,
-    /// Number of boards with books on them.
-    pub(super) rows: u32,
-    /// Number of compartments side by side.
-    pub(super) bays: u32,
-}
-
-impl Shelf {
-    /// Height of the whole.
-    pub(super) const HEIGHT: f32 = 3.05;
-    /// From the wall to the front.
-    pub(super) const DEPTH: f32 = 0.34;
-    /// Thickness of boards.
-    pub(super) const BOARD: f32 = 0.035;
-    /// Height of the base.
-    const BASE: f32 = 0.12;
-
-    /// Height of the upper side of a board.
-    pub(super) fn board(&self, row: u32) -> f32 {
-        Self::BASE + (Self::HEIGHT - Self::BASE) * ratio(row, self.rows)
-    }
-
-    /// Boards, sides and a crowning ledge.
-    pub(super) fn wood(&self, builder: &mut Builder) {
-        for row in 0..=self.rows {
-            let y = self.board(row);
-            builder.cuboid(&self.frame, Vec3::new(0.0, y - Self::BOARD, 0.0), Vec3::new(self.width, y, Self::DEPTH));
-        }
-        for bay in 0..=self.bays {
-            let x = self.width * ratio(bay, self.bays);
-            let half = Self::BOARD * 0.7;
-            let high = Self::HEIGHT - Self::BOARD - 0.001;
-            builder.cuboid(&self.frame, Vec3::new(x - half, 0.0, 0.001), Vec3::new(x + half, high, Self::DEPTH + 0.012));
-        }
-        let (low, high) = (Vec3::new(-0.05, Self::HEIGHT, 0.0), Vec3::new(self.width + 0.05, Self::HEIGHT + 0.09, 0.4));
-        builder.cuboid(&self.frame, low, high);
-    }
-}
-
-/// The shelves of a room of so many triangles: along the right wall, and beside the far window.
-pub(super) fn shelves(triangles: u32) -> Vec<Shelf> {
-    let rows = number(triangles, 400, [0, 7]);
-    let bays = |most| number(triangles, 600, [1, most]);
-    let right = Frame::at(Vec3::new(HALF_WIDTH, 0.0, FAR + 0.4)).turned(Vec3::Y, -90.0);
-    let mut shelves = vec![Shelf { frame: right, width: 11.4, rows, bays: bays(8) }];
-    if triangles >= 3_000 {
-        for x in [-3.9, 1.55] {
-            shelves.push(Shelf { frame: Frame::at(Vec3::new(x, 0.0, FAR)), width: 2.05, rows, bays: bays(2) });
-        }
-    }
-    shelves.retain(|shelf| shelf.rows > 0);
-    shelves
 }

@@ -60,7 +60,7 @@ fn chairs(builder: &mut Builder, tables: &[(Vec3, u32)], each: u32) {
     for frame in &frames {
         builder.chair_wood(frame, wooden);
     }
-    builder.part("cushions", Phong::of(srgb(212, 96, 66), 0.05, 10.0));
+    builder.part("cushions", Phong::of(srgb(190, 92, 64), 0.05, 10.0));
     for frame in &frames {
         builder.chair_cushions(frame, padded);
     }
@@ -92,7 +92,7 @@ fn parasols(builder: &mut Builder, tables: &[Vec3], each: u32) {
         builder.surface(around, steps, |u, v| {
             let turn = std::f32::consts::TAU * u;
             let sag = float::cos(turn * ratio(RIBS, 1)) * 0.5 - 0.5;
-            let way = 1.0 - v;
+            let way = (1.0 - v).max(0.01);
             let radius = 1.75 * way * (1.0 + 0.05 * sag);
             let drop = 0.62 * way * (0.75 + 0.25 * way) - 0.1 * sag * way * (1.0 - way);
             top + Vec3::new(float::cos(turn) * radius, -drop, -float::sin(turn) * radius)

@@ -60,7 +60,17 @@ pub(super) fn pots(builder: &mut Builder, houses: &[House], triangles: u32) {
         clouds.push(Cloud { center: frame.point_to_world(*middle + Vec3::new(0.0, 0.18, 0.02)), half });
     }
     let left = share(each, 0.72) * number;
-    bed(builder, &clouds, left, &[("geranium leaves", srgb(78, 130, 62), 0.6), ("red flowers", srgb(206, 42, 44), 0.25), ("pink flowers", srgb(232, 120, 150), 0.15)], 41);
+    bed(
+        builder,
+        &clouds,
+        left,
+        &[
+            ("geranium leaves", srgb(78, 130, 62), 0.6),
+            ("red flowers", srgb(206, 42, 44), 0.25),
+            ("pink flowers", srgb(232, 120, 150), 0.15),
+        ],
+        41,
+    );
 }
 
 /// Creepers: ivy up two houses, and one that blooms beside the alley.
@@ -69,30 +79,50 @@ pub(super) fn creepers(builder: &mut Builder, triangles: u32) {
         return;
     }
     let mut chance = Chance::of(42, 0);
-    // Each climbs from its foot, becoming wider and then narrower.
+    // Each climbs from its foot in several shoots that stray.
+    const SHOOTS: u32 = 7;
+    const STEPS: u32 = 14;
     let mut climb = |foot: Vec3, along: Vec3, height: f32, wide: f32| {
         let mut clouds = vec![];
-        for i in 0..26 {
-            let t = ratio(i, 26);
-            let reach = wide * (0.35 + 1.3 * t * (1.0 - 0.45 * t));
-            let center = foot + along * chance.around(reach) + Vec3::Y * (height * t + 0.25);
-            let flat = along.abs() * 0.55 + Vec3::Y * 0.45 + along.cross(Vec3::Y).abs() * 0.13;
-            clouds.push(Cloud { center, half: flat });
+        for shoot in 0..SHOOTS {
+            let lean = wide * (2.0 * ratio(shoot, SHOOTS - 1) - 1.0) + chance.around(0.3);
+            let reach = height * chance.between(0.5, 1.0);
+            let mut stray = 0.0;
+            for step in 0..STEPS {
+                let t = ratio(step, STEPS);
+                stray += chance.around(0.16);
+                let center = foot + along * (lean * (t + 0.15) + stray) + Vec3::Y * (reach * t + 0.2);
+                let size = 0.34 - 0.18 * t;
+                let half = (along.abs() + Vec3::Y) * size + along.cross(Vec3::Y).abs() * 0.11;
+                clouds.push(Cloud { center, half });
+            }
         }
         clouds
     };
-    let mut ivy = climb(Vec3::new(2.0, 0.0, FAR + 0.08), Vec3::X, 5.4, 0.9);
-    ivy.extend(climb(Vec3::new(SIDES[0] + 0.08, 0.0, -9.7), Vec3::Z, 5.6, 1.1));
-    let bougainvillea = climb(Vec3::new(-5.0, 0.0, FAR + 0.1), Vec3::X, 6.0, 0.8);
-    bed(builder, &ivy, share(triangles, 0.6), &[("ivy", srgb(70, 116, 54), 0.6), ("dark ivy", srgb(46, 88, 46), 0.4)], 43);
-    bed(builder, &bougainvillea, share(triangles, 0.4), &[("leaves of the bougainvillea", srgb(82, 126, 60), 0.45), ("bougainvillea", srgb(204, 52, 122), 0.55)], 44);
+    let mut ivy = climb(Vec3::new(2.0, 0.0, FAR + 0.08), Vec3::X, 6.2, 1.5);
+    ivy.extend(climb(Vec3::new(SIDES[0] + 0.08, 0.0, -9.7), Vec3::Z, 7.4, 1.7));
+    let bougainvillea = climb(Vec3::new(-5.0, 0.0, FAR + 0.1), Vec3::X, 8.2, 1.3);
+    bed(
+        builder,
+        &ivy,
+        share(triangles, 0.6),
+        &[("ivy", srgb(70, 116, 54), 0.6), ("dark ivy", srgb(46, 88, 46), 0.4)],
+        43,
+    );
+    bed(
+        builder,
+        &bougainvillea,
+        share(triangles, 0.4),
+        &[("leaves of the bougainvillea", srgb(82, 126, 60), 0.45), ("bougainvillea", srgb(204, 52, 122), 0.55)],
+        44,
+    );
 }
 
 /// Leaves and flowers that share clouds, each kind with its share.
 fn bed(builder: &mut Builder, clouds: &[Cloud], triangles: u32, kinds: &[(&'static str, Rgb, f32)], stream: u64) {
     let fine = triangles > 200_000;
     let cost = if fine { 4 } else { 2 };
-    let area: f32 = clouds.iter().map(|cloud| cloud.half.length_squared() * 4.5).sum();
+    let area: f32 = clouds.iter().map(|cloud| cloud.half.length_squared() * 2.8).sum();
     let length = leaf_length(area, triangles / cost).clamp(0.012, 0.22);
     for (&(name, color, part), index) in kinds.iter().zip(0..) {
         builder.part(name, Phong::of(color, 0.08, 18.0));

@@ -34,7 +34,11 @@ pub(super) fn paving(builder: &mut Builder, triangles: u32) {
     }
     let [columns, rows] = grid(2 * stones, width / length, [4, 4]);
     let [side, _] = grid((triangles / stones).min(200), 1.0, [3, 3]);
-    let shades = [("warm stones", srgb(198, 176, 146)), ("grey stones", srgb(176, 166, 152)), ("pale stones", srgb(212, 198, 172))];
+    let shades = [
+        ("warm stones", srgb(186, 162, 132)),
+        ("grey stones", srgb(164, 152, 138)),
+        ("pale stones", srgb(200, 184, 156)),
+    ];
     for (shade, (name, color)) in shades.into_iter().enumerate() {
         builder.part(name, Phong::of(color, 0.06, 20.0));
         for row in 0..rows {
@@ -46,7 +50,7 @@ pub(super) fn paving(builder: &mut Builder, triangles: u32) {
                 let from = left + size * ratio(column, 1) + shift - size * 0.5;
                 let mine = chance.index(shades.len()) == shade;
                 let lift = chance.between(0.6, 1.2) * HIGH;
-                let gap = size * chance.between(0.03, 0.06);
+                let gap = size * chance.between(0.015, 0.035);
                 if mine {
                     stone(builder, [from + gap, from + size - gap], [far + gap, near - gap], lift, side);
                 }
@@ -57,10 +61,10 @@ pub(super) fn paving(builder: &mut Builder, triangles: u32) {
 
 /// One stone with round edges.
 fn stone(builder: &mut Builder, [left, right]: [f32; 2], [far, near]: [f32; 2], high: f32, side: u32) {
-    // Steps lie closely near the edges: from −1 to 1, square roots of equal steps.
+    // Steps lie closely near the edges: from −1 to 1, eighth roots of equal steps.
     let spread = |t: f32| {
         let s = 2.0 * t - 1.0;
-        (s.abs().sqrt().sqrt().copysign(s), 1.0 - s * s * s * s)
+        (s.abs().sqrt().sqrt().sqrt().copysign(s), 1.0 - s * s * s * s)
     };
     builder.surface(side, side, |u, v| {
         let ((x, across), (z, along)) = (spread(u), spread(v));
@@ -76,10 +80,9 @@ pub(super) fn hills(builder: &mut Builder, triangles: u32) {
         return;
     }
     let [columns, rows] = grid(triangles.min(60_000), 3.0, [8, 1]);
-    for (name, color, z, height, phase) in [
-        ("far hills", srgb(122, 150, 172), -150.0, 40.0, 1.2),
-        ("hills", srgb(104, 136, 112), -95.0, 21.0, 3.4),
-    ] {
+    for (name, color, z, height, phase) in
+        [("far hills", srgb(122, 150, 172), -150.0, 62.0, 1.2), ("hills", srgb(104, 136, 112), -95.0, 30.0, 3.4)]
+    {
         builder.part(name, Phong::of(color, 0.0, 1.0));
         builder.surface(columns / 2, rows, |u, v| {
             let x = 220.0 * (u - 0.5);

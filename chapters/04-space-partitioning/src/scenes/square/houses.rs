@@ -117,7 +117,9 @@ pub(super) fn walls(builder: &mut Builder, houses: &[House], triangles: u32) {
     }
     for house in houses {
         let half = house.width / 2.0;
-        for (y, height, out) in [(0.0, 0.45, 0.05), (house.floor(1) - 0.12, 0.14, 0.08), (house.eaves() - 0.22, 0.2, 0.16)] {
+        for (y, height, out) in
+            [(0.0, 0.45, 0.05), (house.floor(1) - 0.12, 0.14, 0.08), (house.eaves() - 0.22, 0.2, 0.16)]
+        {
             builder.cuboid(&house.frame, Vec3::new(-half, y, -0.1), Vec3::new(half, y + height, out));
         }
         let door = house.column(house.door);

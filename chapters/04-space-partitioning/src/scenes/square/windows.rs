@@ -155,8 +155,11 @@ fn doors(builder: &mut Builder, houses: &[House], each: u32) {
 
 /// Open shutters beside the windows, with so many slats each.
 fn shutters(builder: &mut Builder, houses: &[House], slats: u32) {
-    let colors =
-        [("green shutters", srgb(74, 112, 92)), ("blue shutters", srgb(82, 122, 150)), ("brown shutters", srgb(132, 86, 60))];
+    let colors = [
+        ("green shutters", srgb(74, 112, 92)),
+        ("blue shutters", srgb(82, 122, 150)),
+        ("brown shutters", srgb(132, 86, 60)),
+    ];
     for (index, (name, color)) in colors.into_iter().enumerate() {
         builder.part(name, Phong::of(color, 0.1, 20.0));
         for house in houses.iter().filter(|house| house.shutters == index) {

@@ -6,10 +6,12 @@ use common::{Stream, Vec3};
 pub struct Chance(Stream);
 
 impl Chance {
-    /// The numbers of the thing of that index, among things of the same `kind`.
+    /// The numbers of the thing of that index, among all things of a kind: its name is the seed.
     #[must_use]
-    pub fn of(kind: u64, index: u32) -> Self {
-        Self(Stream::new(kind, u64::from(index), 0))
+    pub fn of(kind: &str, index: u32) -> Self {
+        // The stream hashes its seed once more, so a simple sum of letters is enough.
+        let seed = kind.bytes().fold(0_u64, |sum, letter| sum.wrapping_mul(257).wrapping_add(u64::from(letter)));
+        Self(Stream::new(seed, u64::from(index), 0))
     }
 
     /// A number from `low` to `high`.

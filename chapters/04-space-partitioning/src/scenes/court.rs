@@ -151,7 +151,7 @@ fn lights() -> Vec<Box<dyn Light>> {
     for z in [-4.5, -13.5] {
         for side in [-1.0, 1.0] {
             let position = Vec3::new(side * (HALF_WIDTH + 1.7), fittings::LANTERN - 0.05, z);
-            lights.push(Box::new(PointLight { position, intensity: Rgb::new(6.0, 3.9, 2.0) }));
+            lights.push(Box::new(PointLight { position, intensity: Rgb::new(9.0, 5.7, 2.8) }));
         }
     }
     lights

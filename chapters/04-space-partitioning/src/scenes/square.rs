@@ -2,6 +2,7 @@
 //!
 //! It has the character and size of SAN MIGUEL: stone and tiles, and most of all leaves.
 
+mod bunting;
 mod cafe;
 mod flowers;
 mod ground;
@@ -45,6 +46,7 @@ fn make(triangles: u32) -> Model {
     ground::hills(&mut builder, part(0.02));
     fountain(&mut builder, FOUNTAIN, part(0.02));
     cafe::cafe(&mut builder, part(0.06));
+    bunting::bunting(&mut builder, part(0.005));
     // What grows.
     flowers::pots(&mut builder, &houses, part(0.04));
     flowers::creepers(&mut builder, part(0.06));

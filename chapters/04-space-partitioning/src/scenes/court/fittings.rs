@@ -73,7 +73,7 @@ pub(super) fn banners(builder: &mut Builder, bays: Bays, triangles: u32) {
             let place = Vec3::new(side * (HALF_WIDTH - 0.46), 0.0, FAR * ratio(pair + 1, bays.side));
             let frame = Frame::at(place).turned(Vec3::Y, -side * 90.0);
             let [low, high] = [Vec2::new(-0.46, 3.25), Vec2::new(0.46, 5.98)];
-            builder.drapery(&frame, low, high, 2.6, each, &mut Chance::of(22, i));
+            builder.drapery(&frame, low, high, 2.6, each, &mut Chance::of("banners", i));
         }
     }
 }

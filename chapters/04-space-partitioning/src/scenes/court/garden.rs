@@ -53,7 +53,7 @@ pub(super) fn plants(builder: &mut Builder, triangles: u32) {
     }
     builder.part("stems", Phong::of(srgb(112, 88, 62), 0.0, 1.0));
     let mut clouds = vec![];
-    let mut chance = Chance::of(23, 0);
+    let mut chance = Chance::of("crowns", 0);
     for plant in &plants {
         let top = plant.place + Vec3::Y * (plant.pot * 1.5 + plant.stem);
         if plant.stem > 0.0 && left >= FEWEST {
@@ -82,7 +82,7 @@ fn oranges(builder: &mut Builder, plants: &[Plant], each: u32) {
         60..200 => [6, 4],
         _ => [10, 8],
     };
-    let mut chance = Chance::of(24, 0);
+    let mut chance = Chance::of("oranges", 0);
     for plant in plants.iter().filter(|plant| plant.stem > 0.0) {
         let middle = plant.place + Vec3::Y * (plant.pot * 1.5 + plant.stem + plant.wide * 0.5);
         for _ in 0..ON_A_TREE {
@@ -99,8 +99,8 @@ fn leaves(builder: &mut Builder, clouds: &[Cloud], triangles: u32) {
     let area: f32 = clouds.iter().map(|cloud| cloud.half.length_squared() * 4.2).sum();
     let length = leaf_length(area, leaves).clamp(0.01, 0.2);
     let colors = [("leaves", srgb(82, 134, 58)), ("dark leaves", srgb(46, 98, 50))];
-    for ((name, color), kind) in colors.into_iter().zip([25, 26]) {
+    for (name, color) in colors {
         builder.part(name, Phong::of(color, 0.15, 20.0));
-        builder.leaves(clouds, leaves / 2, length, fine, &mut Chance::of(kind, 0));
+        builder.leaves(clouds, leaves / 2, length, fine, &mut Chance::of(name, 0));
     }
 }

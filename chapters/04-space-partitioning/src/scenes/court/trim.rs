@@ -93,7 +93,7 @@ pub(super) fn paving(builder: &mut Builder, triangles: u32) {
         for i in 0..along {
             let [near, far] = [i, i + 1].map(|i| BEGIN + (end - BEGIN) * ratio(i, along));
             for k in 0..across {
-                let mut chance = Chance::of(21, i * across + k);
+                let mut chance = Chance::of("slabs", i * across + k);
                 let [left, right] = [k, k + 1].map(|k| outer * (2.0 * ratio(k, across) - 1.0));
                 // Not all lie quite level.
                 let y = chance.around(0.004);

@@ -93,7 +93,7 @@ pub(super) fn books(builder: &mut Builder, shelves: &[Shelf], triangles: u32) {
     let length: f32 = shelves.iter().map(|shelf| shelf.width * ratio(shelf.rows, 1)).sum();
     let width = (length / ratio(number(triangles, FEWEST, [1, u32::MAX]), 1)).max(NARROWEST);
     let mut books = vec![];
-    let mut chance = Chance::of(13, 0);
+    let mut chance = Chance::of("books", 0);
     for shelf in shelves {
         for row in 0..shelf.rows {
             put_on_board(shelf, row, width, colors.len(), &mut chance, &mut books);

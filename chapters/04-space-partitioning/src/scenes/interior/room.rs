@@ -108,7 +108,7 @@ pub(super) fn floor(builder: &mut Builder, triangles: u32) {
         builder.part(name, Phong::of(color, 0.16, 60.0));
         for i in 0..across {
             // The same numbers for each shade: each plank is laid once.
-            let mut chance = Chance::of(11, i);
+            let mut chance = Chance::of("planks", i);
             let [left, right] = [i, i + 1].map(|i| HALF_WIDTH * (2.0 * ratio(i, across) - 1.0));
             let length = (NEAR - FAR) / ratio(along, 1);
             let shift = chance.between(0.1, 0.9) * length;

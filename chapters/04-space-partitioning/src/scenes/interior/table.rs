@@ -48,7 +48,7 @@ pub(super) fn on_the_table(builder: &mut Builder, triangles: u32) {
     const FEWEST: u32 = 40;
     let places = number(triangles, FEWEST, [0, 14]);
     let place = |i: u32, x: f32| {
-        let mut chance = Chance::of(14, i);
+        let mut chance = Chance::of("things on the table", i);
         let [near, far] = TABLE_ENDS;
         let z = near - 0.55 + (far - near + 1.0) * ratio(i / 2, places.div_ceil(2));
         let side = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
@@ -114,7 +114,7 @@ pub(super) fn chairs(builder: &mut Builder, triangles: u32) {
     for i in 0..pairs {
         let z = near + (far - near) * (ratio(i, pairs) + 0.5 / ratio(pairs, 1));
         for side in [-1.0, 1.0] {
-            let mut chance = Chance::of(15, 2 * i + u32::from(side > 0.0));
+            let mut chance = Chance::of("chairs", 2 * i + u32::from(side > 0.0));
             // Somebody pushed some of them back.
             let x = side * (TABLE_HALF + 0.12 + chance.between(0.0, 1.0) * chance.between(0.0, 0.55));
             frames.push(Frame::at(Vec3::new(x, 0.0, z)).turned(Vec3::Y, -side * 90.0 + chance.around(14.0)));

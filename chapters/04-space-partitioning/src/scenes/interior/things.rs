@@ -22,7 +22,7 @@ pub(super) fn curtains(builder: &mut Builder, triangles: u32) {
         for side in [-1.0, 1.0] {
             let frame = Frame::at(Vec3::new(-HALF_WIDTH + 0.12, 0.0, z + side * 1.05)).turned(Vec3::Y, 90.0);
             let [low, high] = [Vec2::new(-0.26, 0.05), Vec2::new(0.26, 3.3)];
-            let mut chance = Chance::of(12, 2 * i + u32::from(side > 0.0));
+            let mut chance = Chance::of("curtains", 2 * i + u32::from(side > 0.0));
             builder.drapery(&frame, low, high, 4.5, triangles / (2 * windows), &mut chance);
         }
     }
@@ -97,7 +97,7 @@ pub(super) fn plants(builder: &mut Builder, triangles: u32) {
     builder.part("stems", wood(srgb(104, 82, 58)));
     let mut clouds = vec![];
     for (place, i) in places().zip(0..) {
-        let mut chance = Chance::of(16, i);
+        let mut chance = Chance::of("stems", i);
         for stem in 0..5 {
             let reach = Vec3::new(chance.around(0.42), chance.between(1.05, 1.75), chance.around(0.36));
             let bend = Vec3::new(chance.around(0.1), 0.0, chance.around(0.1));
@@ -120,7 +120,7 @@ pub(super) fn plants(builder: &mut Builder, triangles: u32) {
     {
         builder.part(name, Phong::of(color, 0.12, 18.0));
         if !clouds.is_empty() {
-            builder.leaves(&clouds, shares[shade], length, fine, &mut Chance::of(17 + u64::from(shade > 0), 0));
+            builder.leaves(&clouds, shares[shade], length, fine, &mut Chance::of(name, 0));
         }
     }
 }

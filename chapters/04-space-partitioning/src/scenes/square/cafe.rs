@@ -46,7 +46,7 @@ pub(super) fn cafe(builder: &mut Builder, triangles: u32) {
 fn chairs(builder: &mut Builder, tables: &[(Vec3, u32)], each: u32) {
     let mut frames = vec![];
     for &(table, index) in tables {
-        let mut chance = Chance::of(33, index);
+        let mut chance = Chance::of("chairs", index);
         let first = chance.between(0.0, 360.0);
         for i in 0..CHAIRS {
             let turn = first + 360.0 * ratio(i, CHAIRS) + chance.around(20.0);
@@ -71,7 +71,7 @@ fn cups(builder: &mut Builder, tables: &[Vec3], each: u32) {
     builder.part("cups", Phong::of(srgb(244, 240, 230), 0.5, 60.0));
     let sides = number(each.min(10_000) / 2, 20, [5, 200]);
     for (table, i) in tables.iter().zip(0..) {
-        let mut chance = Chance::of(34, i);
+        let mut chance = Chance::of("cups", i);
         for side in [-1.0, 1.0] {
             let place = *table + Vec3::new(side * 0.2, HIGH, chance.around(0.18));
             builder.cup(&Frame::at(place), 0.085, 0.012, sides);

@@ -69,7 +69,6 @@ pub(super) fn pots(builder: &mut Builder, houses: &[House], triangles: u32) {
             ("red flowers", srgb(206, 42, 44), 0.25),
             ("pink flowers", srgb(232, 120, 150), 0.15),
         ],
-        41,
     );
 }
 
@@ -78,7 +77,7 @@ pub(super) fn creepers(builder: &mut Builder, triangles: u32) {
     if triangles < FEWEST / 2 {
         return;
     }
-    let mut chance = Chance::of(42, 0);
+    let mut chance = Chance::of("shoots", 0);
     // Each climbs from its foot in several shoots that stray.
     const SHOOTS: u32 = 7;
     const STEPS: u32 = 14;
@@ -102,32 +101,25 @@ pub(super) fn creepers(builder: &mut Builder, triangles: u32) {
     let mut ivy = climb(Vec3::new(2.0, 0.0, FAR + 0.08), Vec3::X, 6.2, 1.5);
     ivy.extend(climb(Vec3::new(SIDES[0] + 0.08, 0.0, -9.7), Vec3::Z, 7.4, 1.7));
     let bougainvillea = climb(Vec3::new(-5.0, 0.0, FAR + 0.1), Vec3::X, 8.2, 1.3);
-    bed(
-        builder,
-        &ivy,
-        share(triangles, 0.6),
-        &[("ivy", srgb(70, 116, 54), 0.6), ("dark ivy", srgb(46, 88, 46), 0.4)],
-        43,
-    );
+    bed(builder, &ivy, share(triangles, 0.6), &[("ivy", srgb(70, 116, 54), 0.6), ("dark ivy", srgb(46, 88, 46), 0.4)]);
     bed(
         builder,
         &bougainvillea,
         share(triangles, 0.4),
         &[("leaves of the bougainvillea", srgb(82, 126, 60), 0.45), ("bougainvillea", srgb(204, 52, 122), 0.55)],
-        44,
     );
 }
 
 /// Leaves and flowers that share clouds, each kind with its share.
-fn bed(builder: &mut Builder, clouds: &[Cloud], triangles: u32, kinds: &[(&'static str, Rgb, f32)], stream: u64) {
+fn bed(builder: &mut Builder, clouds: &[Cloud], triangles: u32, kinds: &[(&'static str, Rgb, f32)]) {
     let fine = triangles > 200_000;
     let cost = if fine { 4 } else { 2 };
     let area: f32 = clouds.iter().map(|cloud| cloud.half.length_squared() * 2.8).sum();
     let length = leaf_length(area, triangles / cost).clamp(0.012, 0.22);
-    for (&(name, color, part), index) in kinds.iter().zip(0..) {
+    for &(name, color, part) in kinds {
         builder.part(name, Phong::of(color, 0.08, 18.0));
         if !clouds.is_empty() {
-            builder.leaves(clouds, share(triangles, part) / cost, length, fine, &mut Chance::of(stream, index));
+            builder.leaves(clouds, share(triangles, part) / cost, length, fine, &mut Chance::of(name, 0));
         }
     }
 }

@@ -42,7 +42,7 @@ pub(super) fn paving(builder: &mut Builder, triangles: u32) {
     for (shade, (name, color)) in shades.into_iter().enumerate() {
         builder.part(name, Phong::of(color, 0.06, 20.0));
         for row in 0..rows {
-            let mut chance = Chance::of(32, row);
+            let mut chance = Chance::of("paving stones", row);
             let [near, far] = [row, row + 1].map(|row| NEAR - length * ratio(row, rows));
             let size = width / ratio(columns, 1);
             let shift = size * chance.between(0.0, 1.0);

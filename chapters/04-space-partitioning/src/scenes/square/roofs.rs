@@ -68,7 +68,7 @@ pub(super) fn roofs(builder: &mut Builder, houses: &[House], triangles: u32) {
     for (shade, (name, color)) in shades.into_iter().enumerate() {
         builder.part(name, Phong::of(color, 0.0, 1.0));
         for (slope, i) in slopes.iter().zip(0..) {
-            tile(builder, slope, scale, steps, (shade, shades.len()), &mut Chance::of(31, i));
+            tile(builder, slope, scale, steps, (shade, shades.len()), &mut Chance::of("tiles", i));
         }
     }
 }

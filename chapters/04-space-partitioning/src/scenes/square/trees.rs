@@ -78,7 +78,7 @@ impl Tree {
     fn lumps(&self, index: u32, leaves: u32) -> Vec<Cloud> {
         let lumps = number(leaves, 60, [36, 190]);
         let middle = self.foot + self.crown;
-        let mut chance = Chance::of(51, index);
+        let mut chance = Chance::of("crowns", index);
         (0..lumps)
             .map(|i| {
                 if self.is_narrow() {
@@ -119,7 +119,7 @@ pub(super) fn wood(builder: &mut Builder, triangles: u32) {
     let sides = number(each / 40, 3, [3, 64]);
     let rings = number(each / 200, 1, [1, 24]);
     for (tree, index) in trees {
-        let mut chance = Chance::of(52, index);
+        let mut chance = Chance::of("trunks", index);
         let fork = tree.foot + Vec3::new(tree.crown.x * 0.4, tree.crown.y - tree.half.y * 0.75, tree.crown.z * 0.4);
         let bend = Vec3::new(chance.around(0.25), 0.0, chance.around(0.25));
         let trunk: Vec<Vec3> = (0..=rings)
@@ -165,17 +165,17 @@ pub(super) fn leaves(builder: &mut Builder, triangles: u32) {
         ("young leaves", srgb(140, 172, 72), 0.25),
         ("old leaves", srgb(72, 116, 52), 0.35),
     ];
-    for ((name, color, part), kind) in shades.into_iter().zip(53..) {
+    for (name, color, part) in shades {
         builder.part(name, Phong::of(color, 0.12, 16.0));
         for &(tree, index) in trees.iter().filter(|(tree, _)| !tree.is_narrow()) {
             let count = share(number, part * tree.area() / area);
             let lumps = tree.lumps(index, share(number, tree.area() / area));
-            builder.leaves(&lumps, count, length, fine, &mut Chance::of(kind, index));
+            builder.leaves(&lumps, count, length, fine, &mut Chance::of(name, index));
         }
     }
     builder.part("cypress leaves", Phong::of(srgb(52, 84, 56), 0.05, 10.0));
     for &(tree, index) in trees.iter().filter(|(tree, _)| tree.is_narrow()) {
         let count = share(number, tree.area() / area);
-        builder.leaves(&tree.lumps(index, count), count, length * 0.8, fine, &mut Chance::of(56, index));
+        builder.leaves(&tree.lumps(index, count), count, length * 0.8, fine, &mut Chance::of("cypress leaves", index));
     }
 }

@@ -94,7 +94,7 @@ impl Tree {
                 let frame = ray_casting::frame::Frame::at(Vec3::ZERO).turned(Vec3::Y, around);
                 let out = frame.vector_to_world(Vec3::new(0.0, y, (1.0 - y * y).max(0.0).sqrt()));
                 let center = middle + self.half * out * chance.between(0.52, 0.9);
-                let size = self.half.min_element() * chance.between(2.0, 3.1) / ratio(lumps, 1).sqrt();
+                let size = self.half.min_element() * chance.between(1.5, 2.7) / ratio(lumps, 1).sqrt();
                 Cloud { center, half: Vec3::new(size * 1.2, size * 0.75, size * 1.2) }
             })
             .collect()

@@ -76,10 +76,14 @@ impl Builder {
     pub fn tube(&mut self, points: &[Vec3], sides: u32, radius: impl Fn(usize) -> f32) {
         let sides = sides.max(3);
         let first = self.mesh.positions.len() as u32;
+        let mut before: Option<Basis> = None;
         for (i, &point) in points.iter().enumerate() {
             // Around the direction from the point before to the point after.
             let direction = points[(i + 1).min(points.len() - 1)] - points[i.saturating_sub(1)];
-            let basis = Basis::around(direction.normalize_or(Vec3::Y));
+            let normal = direction.normalize_or(Vec3::Y);
+            // Turned as little as can be from the ring before, so that the sides do not twist.
+            let basis = before.map_or_else(|| Basis::around(normal), |before| leaned(before, normal));
+            before = Some(basis);
             for side in 0..sides {
                 let angle = std::f32::consts::TAU * side as f32 / sides as f32;
                 let (sin, cos) = (common::float::sin(angle), common::float::cos(angle));
@@ -93,6 +97,35 @@ impl Builder {
                 let [c, d] = [at(ring, side + 1), at(ring, side)];
                 self.triangle([a, b, c]);
                 self.triangle([a, c, d]);
+            }
+        }
+    }
+}
+
+/// The basis around another unit vector that is turned from `before` as little as can be.
+fn leaned(before: Basis, normal: Vec3) -> Basis {
+    match (before.tangent - normal * before.tangent.dot(normal)).try_normalize() {
+        Some(tangent) => Basis { tangent, bitangent: normal.cross(tangent), normal },
+        None => Basis::around(normal),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tube_does_not_twist_where_it_turns_back() {
+        // Around a half circle in the plane of x and z: the direction's z changes its sign.
+        let angles = (0_u8..=16).map(|i| std::f32::consts::PI * f32::from(i) / 16.0);
+        let points: Vec<Vec3> =
+            angles.map(|angle| Vec3::new(common::float::cos(angle), 0.0, common::float::sin(angle))).collect();
+        let mut builder = Builder::default();
+        builder.tube(&points, 4, |_| 0.1);
+        let rings: Vec<&[Vec3]> = builder.mesh.positions.chunks(4).collect();
+        for pair in rings.windows(2) {
+            for (a, b) in pair[0].iter().zip(pair[1]) {
+                assert!(a.distance(*b) < 0.25, "{a} {b}");
             }
         }
     }

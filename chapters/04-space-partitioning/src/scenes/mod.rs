@@ -1,7 +1,19 @@
 //! Scenes of many triangles, made by rule and chance: with the character and the size of the scenes that the field
 //! measures on, and of any other size.
 
+pub mod arches;
+pub mod budget;
 pub mod builder;
+pub mod chance;
+#[cfg(test)]
+mod checks;
+pub mod court;
+pub mod foliage;
+pub mod fountain;
+pub mod furniture;
+pub mod interior;
+pub mod shapes;
+pub mod square;
 
 use crate::model::Model;
 
@@ -17,4 +29,4 @@ pub struct Generator {
 }
 
 /// All of them.
-pub const GENERATORS: &[Generator] = &[];
+pub const GENERATORS: &[Generator] = &[interior::GENERATOR, court::GENERATOR, square::GENERATOR];

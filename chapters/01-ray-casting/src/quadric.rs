@@ -3,15 +3,7 @@
 use common::{Interval, Vec3};
 use glam::{Mat4, Vec4};
 
-use crate::{
-    aabb::Aabb,
-    frame::Frame,
-    hit::Hit,
-    implicit::Implicit,
-    quadratic,
-    ray::Ray,
-    shape::Shape,
-};
+use crate::{aabb::Aabb, frame::Frame, hit::Hit, implicit::Implicit, quadratic, ray::Ray, shape::Shape};
 
 // ANCHOR: quadric
 /// The points `r` with `[r, 1] Q [r, 1]ᵀ = 0` inside a box, in a frame of its own.

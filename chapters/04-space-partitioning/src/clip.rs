@@ -15,20 +15,32 @@ use crate::{
 const MOST_CORNERS: usize = 9;
 
 /// A convex polygon with few corners, kept without asking the heap for memory.
+#[derive(Clone, Copy)]
 struct Polygon {
     corners: [DVec3; MOST_CORNERS],
     count: usize,
 }
 
 impl Polygon {
-    fn of(triangle: &Triangle) -> Self {
-        let mut polygon = Self::empty();
-        triangle.corners.map(|corner| polygon.push(corner.as_dvec3()));
-        polygon
-    }
+    const EMPTY: Self = Self { corners: [DVec3::ZERO; MOST_CORNERS], count: 0 };
 
-    fn empty() -> Self {
-        Self { corners: [DVec3::ZERO; MOST_CORNERS], count: 0 }
+    /// The part of a triangle inside a cell. It is cut by those faces alone that the triangle reaches through.
+    fn of(triangle: &Triangle, cell: &Aabb) -> Self {
+        let [a, b, c] = triangle.corners;
+        let (min, max) = (a.min(b).min(c), a.max(b).max(c));
+        let mut polygon = Self::EMPTY;
+        for corner in triangle.corners {
+            polygon.push(corner.as_dvec3());
+        }
+        for axis in 0..3 {
+            if min[axis] < cell.min[axis] {
+                polygon = polygon.halves(axis, cell.min[axis])[1];
+            }
+            if max[axis] > cell.max[axis] {
+                polygon = polygon.halves(axis, cell.max[axis])[0];
+            }
+        }
+        polygon
     }
 
     fn corners(&self) -> &[DVec3] {
@@ -44,35 +56,38 @@ impl Polygon {
         }
     }
 
-    // ANCHOR: half_space
-    /// The part on one side of the plane `axis = position`: above it for `side` +1, below it for −1.
-    fn cut(&self, axis: usize, position: f32, side: f64) -> Self {
-        let position = f64::from(position);
-        let mut part = Self::empty();
-        let Some(&last) = self.corners().last() else { return part };
-        let height = |corner: DVec3| (corner[axis] - position) * side;
+    // ANCHOR: halves
+    /// The parts below and above the plane `axis = position`. Corners in the plane belong to both.
+    fn halves(&self, axis: usize, position: f32) -> [Self; 2] {
+        let [mut below, mut above] = [Self::EMPTY; 2];
+        let height = |corner: DVec3| corner[axis] - f64::from(position);
+        let Some(&last) = self.corners().last() else { return [below, above] };
         let (mut from, mut from_height) = (last, height(last));
         for &to in self.corners() {
             let to_height = height(to);
             // An edge that changes sides has a new corner in the plane.
-            if (from_height < 0.0) != (to_height < 0.0) {
+            if from_height < 0.0 && to_height > 0.0 || from_height > 0.0 && to_height < 0.0 {
                 let mut corner = from + (to - from) * (from_height / (from_height - to_height));
-                corner[axis] = position;
-                part.push(corner);
+                corner[axis] = f64::from(position);
+                below.push(corner);
+                above.push(corner);
+            }
+            if to_height <= 0.0 {
+                below.push(to);
             }
             if to_height >= 0.0 {
-                part.push(to);
+                above.push(to);
             }
             (from, from_height) = (to, to_height);
         }
-        part
+        [below, above]
     }
-    // ANCHOR_END: half_space
+    // ANCHOR_END: halves
 
     /// The box around it, rounded outward; `None` if it has no corner.
     fn aabb(&self) -> Option<Aabb> {
-        let low = self.corners().iter().copied().reduce(DVec3::min)?;
-        let high = self.corners().iter().copied().reduce(DVec3::max)?;
+        let (first, others) = self.corners().split_first()?;
+        let (low, high) = others.iter().fold((*first, *first), |(low, high), c| (low.min(*c), high.max(*c)));
         let min = Vec3::from_array(low.to_array().map(down));
         Some(Aabb { min, max: Vec3::from_array(high.to_array().map(up)) })
     }
@@ -82,22 +97,38 @@ impl Polygon {
 /// The box around the part of a triangle that lies inside a cell; `None` if no part does.
 #[must_use]
 pub fn clip(triangle: &Triangle, cell: &Aabb) -> Option<Aabb> {
-    let [a, b, c] = triangle.corners;
-    let whole = Aabb { min: a.min(b).min(c), max: a.max(b).max(c) };
-    overlap(&whole, cell)?;
-    // Cut by those faces alone that the triangle reaches through.
-    let mut part = Polygon::of(triangle);
-    for axis in 0..3 {
-        if whole.min[axis] < cell.min[axis] {
-            part = part.cut(axis, cell.min[axis], 1.0);
-        }
-        if whole.max[axis] > cell.max[axis] {
-            part = part.cut(axis, cell.max[axis], -1.0);
-        }
-    }
-    overlap(&part.aabb()?, cell)
+    overlap(&Polygon::of(triangle, cell).aabb()?, cell)
 }
 // ANCHOR_END: clip
+
+// ANCHOR: octants
+/// The same for the eight parts of a cell around its middle: bit 0, 1, 2 of a part's number says whether it is the upper
+/// one along x, y, z. A triangle that only touches a part is left out of it.
+#[must_use]
+pub fn clip_to_octants(triangle: &Triangle, cell: &Aabb, middle: Vec3) -> [Option<Aabb>; 8] {
+    let mut parts = [None; 8];
+    share(&Polygon::of(triangle, cell), cell, middle, 0, 0, &mut parts);
+    parts
+}
+
+/// Halve a polygon along the axes from `axis` on.
+fn share(part: &Polygon, cell: &Aabb, middle: Vec3, axis: usize, number: usize, parts: &mut [Option<Aabb>; 8]) {
+    if axis == 3 {
+        parts[number] = part.aabb().and_then(|aabb| overlap(&aabb, cell));
+        return;
+    }
+    let plane = f64::from(middle[axis]);
+    let reaches_down = part.corners().iter().any(|corner| corner[axis] < plane);
+    let reaches_up = part.corners().iter().any(|corner| corner[axis] > plane);
+    if reaches_down && reaches_up {
+        let [below, above] = part.halves(axis, middle[axis]);
+        share(&below, cell, middle, axis + 1, number, parts);
+        share(&above, cell, middle, axis + 1, number | 1 << axis, parts);
+    } else {
+        share(part, cell, middle, axis + 1, number | usize::from(reaches_up) << axis, parts);
+    }
+}
+// ANCHOR_END: octants
 
 #[cfg(test)]
 mod tests {

@@ -110,13 +110,21 @@ impl Cells {
     /// Where the lower face of the cells of an index lies on an axis.
     #[inline]
     pub(crate) fn plane(&self, axis: usize, index: u32) -> f32 {
-        if index >= self.resolution[axis] { self.aabb.max[axis] } else { self.aabb.min[axis] + index as f32 * self.size[axis] }
+        if index >= self.resolution[axis] {
+            self.aabb.max[axis]
+        } else {
+            self.aabb.min[axis] + index as f32 * self.size[axis]
+        }
     }
 
     /// The index along an axis of the cell that a coordinate lies in, or of the nearest one.
     #[inline]
     pub(crate) fn index(&self, axis: usize, coordinate: f32) -> u32 {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, also what is no number")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "saturates, also what is no number"
+        )]
         let index = ((coordinate - self.aabb.min[axis]) / self.size[axis]) as u32;
         let mut index = index.min(self.resolution[axis] - 1);
         // The division is rounded: the faces decide.

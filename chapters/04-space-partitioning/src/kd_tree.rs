@@ -17,8 +17,8 @@ use crate::{
     query::{Query, Question},
     rounding::{after, before, greater, lesser},
     slabs::Slabs,
-    subtree::TreeNode as _,
     structure::{Cell, Contents, Partition, Structure, StructureError},
+    subtree::TreeNode as _,
 };
 
 // ANCHOR: node

@@ -2,10 +2,13 @@
 //!
 //! Each idea of the chapter has a file of its own, named after it. The pictures are in [`pictures`].
 
+pub mod bounding_volume;
+pub mod choice;
 pub mod clip;
 pub mod every_one;
 pub mod grid;
 pub mod kd_tree;
+pub mod lit_model;
 pub mod model;
 pub mod octree;
 pub mod pictures;
@@ -18,5 +21,6 @@ pub mod slabs;
 pub mod structure;
 mod subtree;
 pub mod triangles;
+mod validate;
 
 pub use pictures::CHAPTER;

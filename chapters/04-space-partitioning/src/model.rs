@@ -42,12 +42,3 @@ pub struct View {
     /// Full angle across the shorter side of the picture, in degrees.
     pub field_of_view: f32,
 }
-
-impl Model {
-    /// The part that a triangle belongs to.
-    #[must_use]
-    pub fn part(&self, triangle: usize) -> Option<&Part> {
-        let after = self.parts.partition_point(|part| part.first as usize <= triangle);
-        self.parts.get(after.checked_sub(1)?)
-    }
-}

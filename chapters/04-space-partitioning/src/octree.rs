@@ -5,11 +5,11 @@
 
 mod build;
 
-use common::{Interval, Vec3};
+use common::Interval;
 use ray_casting::{aabb::Aabb, ray::Ray};
 
 use crate::{
-    primitives::Primitives,
+    primitives::{Primitives, octant},
     probe::Probe,
     query::{Query, Question},
     rounding::{after, before, greater, lesser},
@@ -40,7 +40,7 @@ pub(crate) struct Node {
 /// Stands where a leaf has the length of its list.
 const DIVIDED: u32 = u32::MAX;
 /// Cells with more primitives are divided.
-pub const FEW: usize = 8;
+pub const FEW: usize = 24;
 /// How often the whole is divided at most. Deeper cells could not be told apart in `f32`.
 pub const MAX_DEPTH: usize = 20;
 // ANCHOR_END: octree
@@ -50,7 +50,7 @@ pub const MAX_DEPTH: usize = 20;
 /// # Errors
 /// [`StructureError`] if a primitive has no finite box, or there are too many.
 pub fn octree<P: Primitives>(primitives: P) -> Result<Structure<P, Octree<P::Entry>>, StructureError> {
-    let partition = Octree::over(&primitives, std::env::var("FEW").map_or(FEW, |f| f.parse().unwrap()))?;
+    let partition = Octree::over(&primitives, FEW)?;
     Ok(Structure { primitives, partition })
 }
 
@@ -82,20 +82,6 @@ fn cube(aabb: &Aabb) -> Aabb {
     // Rounding must not make it smaller than the box.
     Aabb { min: aabb.min, max: (aabb.min + side).max(aabb.max) }
 }
-
-// ANCHOR: octant
-/// One of the eight parts of a cell. Bit 0 of its number says whether it lies in the upper half along x, bits 1 and 2
-/// say the same for y and z.
-#[inline]
-pub(crate) fn octant(cell: &Aabb, number: usize) -> Aabb {
-    let middle = cell.center();
-    let is_upper = |axis: usize| number >> axis & 1 == 1;
-    let along = |lower: Vec3, upper: Vec3| {
-        Vec3::from_array([0, 1, 2].map(|axis| if is_upper(axis) { upper[axis] } else { lower[axis] }))
-    };
-    Aabb { min: along(cell.min, middle), max: along(middle, cell.max) }
-}
-// ANCHOR_END: octant
 
 /// What does not change during a walk.
 struct Walker<'w, E> {
@@ -138,7 +124,9 @@ impl<E: Copy + Send + Sync> Walker<'_, E> {
             let is_met = part.min <= part.max && part.min <= query.range().max;
             let octant_number = order ^ self.first;
             #[expect(clippy::cast_possible_truncation, reason = "at most 7")]
-            if is_met && self.visit(node.first + octant_number as u32, &octant(cell, octant_number), part, query) {
+            if is_met
+                && self.visit(node.first + octant_number as u32, &octant(cell, middle, octant_number), part, query)
+            {
                 return true;
             }
         }
@@ -166,7 +154,7 @@ impl<P: Primitives> Partition<P> for Octree<P::Entry> {
         while let Some((number, aabb)) = waiting.pop() {
             let node = self.nodes[number as usize];
             if node.count == DIVIDED {
-                waiting.extend((0..8).map(|i| (node.first + i, octant(&aabb, i as usize))));
+                waiting.extend((0..8).map(|i| (node.first + i, octant(&aabb, aabb.center(), i as usize))));
             } else {
                 cells.push(Cell { number, aabb, list: self.list(node) });
             }

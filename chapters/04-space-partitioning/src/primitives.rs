@@ -1,6 +1,6 @@
 //! Primitives: what a structure holds, many things that a ray can hit, each known by its number.
 
-use common::Interval;
+use common::{Interval, Vec3};
 use ray_casting::{aabb::Aabb, hit::Hit, ray::Ray, shape::Shape};
 
 // ANCHOR: primitives
@@ -20,6 +20,11 @@ pub trait Primitives: Send + Sync {
     /// The box around the part of one of them that lies inside a cell; `None` if no part does. It lies inside the cell.
     fn clipped(&self, number: u32, cell: &Aabb) -> Option<Aabb> {
         overlap(&self.aabb(number), cell)
+    }
+
+    /// The boxes around the parts of one of them inside the eight octants of a cell around its middle.
+    fn octants(&self, number: u32, cell: &Aabb, middle: Vec3) -> [Option<Aabb>; 8] {
+        std::array::from_fn(|i| self.clipped(number, &octant(cell, middle, i)))
     }
 
     /// What a list holds of one of them.
@@ -46,6 +51,19 @@ pub fn overlap(a: &Aabb, b: &Aabb) -> Option<Aabb> {
     let common = Aabb { min: a.min.max(b.min), max: a.max.min(b.max) };
     common.min.cmple(common.max).all().then_some(common)
 }
+
+// ANCHOR: octant
+/// One of the eight parts of a cell. Bit 0 of its number says whether it lies in the upper half along x, bits 1 and 2
+/// say the same for y and z.
+#[must_use]
+#[inline]
+pub fn octant(cell: &Aabb, middle: Vec3, number: usize) -> Aabb {
+    let along = |lower: Vec3, upper: Vec3| {
+        Vec3::from_array([0, 1, 2].map(|axis| if number >> axis & 1 == 1 { upper[axis] } else { lower[axis] }))
+    };
+    Aabb { min: along(cell.min, middle), max: along(middle, cell.max) }
+}
+// ANCHOR_END: octant
 
 // ANCHOR: bounded
 /// A shape that knows a box around itself.

@@ -36,9 +36,11 @@ impl<N: TreeNode, E> Subtree<N, E> {
     pub(crate) fn hang(&mut self, node: usize, subtree: Self) {
         // The subtree's whole goes to the node itself, all else to the end.
         let (nodes, lists) = (number(self.nodes.len()), number(self.lists.len()));
-        let moved = |node: &N| node.moved(nodes.wrapping_sub(1), lists);
-        self.nodes[node] = moved(&subtree.nodes[0]);
-        self.nodes.extend(subtree.nodes[1..].iter().map(moved));
+        let mut moved = subtree.nodes.into_iter().map(|node| node.moved(nodes.wrapping_sub(1), lists));
+        if let Some(whole) = moved.next() {
+            self.nodes[node] = whole;
+        }
+        self.nodes.extend(moved);
         self.lists.extend(subtree.lists);
     }
     // ANCHOR_END: hang

@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use common::{Interval, Vec3};
-use ray_casting::{
-    aabb::Aabb, hit::Hit, mesh::Mesh, ray::Ray, triangle::Triangle, triangle_barycentric::Shear,
-};
+use ray_casting::{aabb::Aabb, hit::Hit, mesh::Mesh, ray::Ray, triangle::Triangle, triangle_barycentric::Shear};
 
-use crate::{clip::clip, primitives::Primitives};
+use crate::{
+    clip::{clip, clip_to_octants},
+    primitives::Primitives,
+};
 
 // ANCHOR: triangles
 /// The triangles of a mesh.
@@ -41,6 +42,10 @@ impl Primitives for Triangles {
 
     fn clipped(&self, number: u32, cell: &Aabb) -> Option<Aabb> {
         clip(&self.0.triangle(number as usize), cell)
+    }
+
+    fn octants(&self, number: u32, cell: &Aabb, middle: Vec3) -> [Option<Aabb>; 8] {
+        clip_to_octants(&self.0.triangle(number as usize), cell, middle)
     }
 
     fn entry(&self, number: u32) -> Numbered {

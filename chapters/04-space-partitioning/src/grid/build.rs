@@ -92,13 +92,7 @@ impl Reach {
 
 // ANCHOR: cells
 /// Tell in which cells a primitive is to be listed.
-fn for_each_cell<P: Primitives>(
-    primitives: &P,
-    cells: &Cells,
-    number: u32,
-    aabb: Aabb,
-    tell: &mut impl FnMut(usize),
-) {
+fn for_each_cell<P: Primitives>(primitives: &P, cells: &Cells, number: u32, aabb: Aabb, tell: &mut impl FnMut(usize)) {
     list_in(primitives, cells, number, aabb, Reach::of(cells, &aabb), tell);
 }
 

@@ -96,7 +96,13 @@ impl<'g> March<'g> {
         }
         // Two comparisons find the face by which the ray leaves.
         let [x, y, z] = self.leaves;
-        let axis = if x < y { if x < z { 0 } else { 2 } } else if y < z { 1 } else { 2 };
+        let axis = if x < y {
+            if x < z { 0 } else { 2 }
+        } else if y < z {
+            1
+        } else {
+            2
+        };
         let t = self.leaves[axis];
         let others = [(axis + 1) % 3, (axis + 2) % 3];
         if others.iter().any(|&other| before(self.leaves[other]) <= after(t)) {
@@ -120,7 +126,8 @@ impl<'g> March<'g> {
         let is_passed = self.leaves.map(|leaves| before(leaves) <= after(t) && leaves < f32::INFINITY);
         let has_passed = |axes: usize, axis: usize| axes >> axis & 1 == 1;
         for axes in 1..7_usize {
-            let to = [0, 1, 2].map(|axis| from[axis].wrapping_add_signed(self.step[axis] * i32::from(has_passed(axes, axis))));
+            let to = [0, 1, 2]
+                .map(|axis| from[axis].wrapping_add_signed(self.step[axis] * i32::from(has_passed(axes, axis))));
             let is_on_the_way = (0..3).all(|axis| is_passed[axis] || !has_passed(axes, axis));
             let is_inside = (0..3).all(|axis| to[axis] < self.cells.resolution[axis]);
             if is_on_the_way && is_inside {

@@ -92,7 +92,8 @@ impl<P: Primitives> Builder<'_, P> {
                     false
                 }
                 Side::Both => {
-                    let [below, above] = halves(&aabb, axis, position).map(|half| self.primitives.clipped(index, &half));
+                    let [below, above] =
+                        halves(&aabb, axis, position).map(|half| self.primitives.clipped(index, &half));
                     upper.extend(above.map(|aabb| (index, aabb)));
                     if let Some(below) = below {
                         reference.1 = below;

@@ -52,7 +52,8 @@ impl Events {
         let next = |list: &[f32], i: usize| list.get(i).copied().unwrap_or(f32::INFINITY);
         while ended < ends.len() || passed < flats.len() {
             let position = next(begins, begun).min(next(ends, ended)).min(next(flats, passed));
-            let split = |lower, upper| Split { axis, position, lower, upper, cost: cost.of(axis, position, lower, upper) };
+            let split =
+                |lower, upper| Split { axis, position, lower, upper, cost: cost.of(axis, position, lower, upper) };
             // What begins in the plane does not reach below it, and what ends there not above it.
             ended += count(&ends[ended..], position);
             if begun + passed == 0 {

@@ -44,7 +44,7 @@ impl Layout {
             for half in 0..2 {
                 layout.put(&mut next, nodes[old as usize + half], &mut near);
             }
-            if next as usize % (2 * PAIRS) == 0 {
+            if (next as usize).is_multiple_of(2 * PAIRS) {
                 waiting.extend(near.drain(..).rev());
             }
         }
@@ -53,7 +53,7 @@ impl Layout {
 
     /// Give a node the next number, and let its halves follow.
     fn put(&mut self, next: &mut u32, node: Node, near: &mut VecDeque<Pair>) {
-        if *next as usize % (2 * PAIRS) == 0 {
+        if (*next as usize).is_multiple_of(2 * PAIRS) {
             self.lines.push(Line([Node::EMPTY; 2 * PAIRS]));
         }
         *self.node_mut(*next) = node;

@@ -41,6 +41,11 @@ impl Default for Costs {
     }
 }
 
+impl Rule {
+    /// As many primitives are few, when nothing is said.
+    pub const FEW: usize = 8;
+}
+
 impl Default for Rule {
     fn default() -> Self {
         Self::SurfaceArea(Costs::default())

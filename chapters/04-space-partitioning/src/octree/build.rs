@@ -2,9 +2,9 @@
 
 use ray_casting::aabb::Aabb;
 
-use super::{DIVIDED, MAX_DEPTH, Node, octant};
+use super::{DIVIDED, MAX_DEPTH, Node};
 use crate::{
-    primitives::Primitives,
+    primitives::{Primitives, octant},
     subtree::{Subtree, TreeNode, number},
 };
 
@@ -14,7 +14,7 @@ type Reference = (u32, Aabb);
 /// Cells with fewer primitives are not worth a task of their own.
 const TASK: usize = 4096;
 /// A division that makes so many times as many entries as there were primitives parts nothing.
-const HOPELESS: usize = 3;
+const HOPELESS: usize = 2;
 
 /// The nodes and the lists of a whole tree.
 pub(super) fn build<P: Primitives>(
@@ -65,7 +65,8 @@ impl<P: Primitives> Builder<'_, P> {
         let first = tree.nodes.len();
         tree.nodes.extend([Node::EMPTY; 8]);
         tree.nodes[node] = Node { first: number(first), count: DIVIDED };
-        let grow = |tree: &mut _, node, i: usize| self.grow(tree, node, &parts[i], &octant(cell, i), depth - 1);
+        let grow =
+            |tree: &mut _, node, i: usize| self.grow(tree, node, &parts[i], &octant(cell, cell.center(), i), depth - 1);
         if references.len() < TASK {
             (0..8).for_each(|i| grow(tree, first + i, i));
         } else {
@@ -86,26 +87,22 @@ impl<P: Primitives> Builder<'_, P> {
     /// Sort the primitives of a cell to its eight parts; `None` if most of them would be in several parts.
     fn part(&self, references: &[Reference], cell: &Aabb) -> Option<[Vec<Reference>; 8]> {
         let middle = cell.center();
-        let octants: [Aabb; 8] = std::array::from_fn(|i| octant(cell, i));
         let mut parts: [Vec<Reference>; 8] = Default::default();
         for &(number, aabb) in references {
-            let (reaches_up, reaches_down) = (aabb.max.cmpge(middle), aabb.min.cmple(middle));
-            if !(reaches_up & reaches_down).any() {
+            // What only touches a plane from below belongs to the part below it.
+            let (is_below, is_above) = (aabb.max.cmple(middle), aabb.min.cmpge(middle));
+            if (is_below | is_above).all() {
                 // Its box lies in one part.
-                parts[reaches_up.bitmask() as usize].push((number, aabb));
+                parts[(!is_below).bitmask() as usize].push((number, aabb));
                 continue;
             }
-            for (i, part) in parts.iter_mut().enumerate() {
-                let is_near = (0..3).all(|axis| if i >> axis & 1 == 1 { reaches_up.test(axis) } else { reaches_down.test(axis) });
-                if let Some(half) = is_near.then(|| crate::primitives::overlap(&aabb, &octants[i])).flatten()
-                    && let Some(clipped) = self.primitives.clipped(number, &half)
-                {
-                    part.push((number, clipped));
-                }
+            let shares = self.primitives.octants(number, &aabb, middle);
+            for (part, share) in parts.iter_mut().zip(shares) {
+                part.extend(share.map(|aabb| (number, aabb)));
             }
         }
         let entries: usize = parts.iter().map(Vec::len).sum();
-        ((entries as f32) < std::env::var("HL").map_or(2.0, |f| f.parse::<f32>().unwrap()) * references.len() as f32).then_some(parts)
+        (entries < HOPELESS * references.len()).then_some(parts)
     }
     // ANCHOR_END: part
 }

@@ -76,14 +76,20 @@ impl Builder {
     pub fn tube(&mut self, points: &[Vec3], sides: u32, radius: impl Fn(usize) -> f32) {
         let sides = sides.max(3);
         let first = self.mesh.positions.len() as u32;
+        let mut before: Option<Vec3> = None;
         for (i, &point) in points.iter().enumerate() {
-            // Around the direction from the point before to the point after.
+            // Around the direction from the point before to the point after. The first vector across it is the one of
+            // the point before, turned as little as possible, so that the tube does not twist.
             let direction = points[(i + 1).min(points.len() - 1)] - points[i.saturating_sub(1)];
-            let basis = Basis::around(direction.normalize_or(Vec3::Y));
+            let normal = direction.normalize_or(Vec3::Y);
+            let basis = Basis::around(normal);
+            let tangent = before.map_or(basis.tangent, |t| t.reject_from_normalized(normal).normalize_or(basis.tangent));
+            let bitangent = normal.cross(tangent);
+            before = Some(tangent);
             for side in 0..sides {
                 let angle = std::f32::consts::TAU * side as f32 / sides as f32;
                 let (sin, cos) = (common::float::sin(angle), common::float::cos(angle));
-                self.vertex(point + (basis.tangent * cos + basis.bitangent * sin) * radius(i));
+                self.vertex(point + (tangent * cos + bitangent * sin) * radius(i));
             }
         }
         for ring in 1..points.len() as u32 {

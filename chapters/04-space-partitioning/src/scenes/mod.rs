@@ -2,6 +2,11 @@
 //! measures on, and of any other size.
 
 pub mod builder;
+pub mod hair_ball;
+pub mod mountain;
+mod noise;
+mod shape;
+pub mod sphere_flake;
 
 use crate::model::Model;
 
@@ -17,4 +22,4 @@ pub struct Generator {
 }
 
 /// All of them.
-pub const GENERATORS: &[Generator] = &[];
+pub const GENERATORS: &[Generator] = &[hair_ball::GENERATOR, mountain::GENERATOR, sphere_flake::GENERATOR];

@@ -1,0 +1,184 @@
+//! Further shapes for the builder: boxes, beams, surfaces of revolution, balls and a photographer's backdrop.
+
+use common::{Basis, Vec2, Vec3, float};
+
+use super::builder::Builder;
+
+/// Triangles of a box: two for each of its six sides.
+pub(super) const BOX: u32 = 12;
+
+/// Triangles of a [`Builder::ball`]: eight faces of an octahedron, each cut into `fineness` squared.
+pub(super) const fn in_ball(fineness: u32) -> u32 {
+    8 * fineness * fineness
+}
+
+/// The greatest fineness of `count` balls that together have at most so many triangles, but at least 1.
+pub(super) fn fineness(triangles: u32, count: u32) -> u32 {
+    (f64::from(triangles) / f64::from(in_ball(1)) / f64::from(count.max(1))).sqrt().max(1.0) as u32
+}
+
+/// A part of a number of triangles.
+pub(super) fn share(triangles: u32, share: f32) -> u32 {
+    (f64::from(triangles) * f64::from(share)) as u32
+}
+
+impl Builder {
+    /// Make room for so many triangles, of which about every vertex belongs to two.
+    pub(super) fn reserve(&mut self, triangles: u32) {
+        self.mesh.triangles.reserve(triangles as usize);
+        self.mesh.positions.reserve(triangles as usize / 2);
+    }
+
+    /// Number of triangles that are missing to so many.
+    pub(super) fn missing_to(&self, triangles: u32) -> u32 {
+        triangles.saturating_sub(self.count())
+    }
+
+    /// A box around `center`, from `-half` to `half` of three directions at right angles, right-handed.
+    pub(super) fn block(&mut self, center: Vec3, half: [Vec3; 3]) {
+        // Each pair of opposite sides, spanned by the other two directions.
+        for i in 0..3 {
+            let [out, u, v] = [half[i], half[(i + 1) % 3], half[(i + 2) % 3]];
+            let (near, far) = (center + out, center - out);
+            self.quad([near - u - v, near + u - v, near + u + v, near - u + v]);
+            self.quad([far - u - v, far - u + v, far + u + v, far + u - v]);
+        }
+    }
+
+    /// A box along the axes, from its least to its greatest coordinates.
+    pub(super) fn cuboid(&mut self, low: Vec3, high: Vec3) {
+        let half = (high - low) / 2.0;
+        self.block(low + half, [Vec3::X * half.x, Vec3::Y * half.y, Vec3::Z * half.z]);
+    }
+
+    /// A straight beam of square section.
+    pub(super) fn beam(&mut self, from: Vec3, to: Vec3, thickness: f32) {
+        let along = (to - from) / 2.0;
+        let basis = Basis::around(along.normalize_or(Vec3::Y));
+        let half = thickness / 2.0;
+        self.block(from + along, [basis.tangent * half, basis.bitangent * half, along]);
+    }
+
+    /// A surface like [`Builder::surface`] that closes: its last column is its first. Has two triangles for each step of
+    /// both.
+    pub(super) fn wrapped(&mut self, columns: u32, rows: u32, mut place: impl FnMut(f32, f32) -> Vec3) {
+        let (columns, rows) = (columns.max(3), rows.max(1));
+        let first = self.mesh.positions.len() as u32;
+        for row in 0..=rows {
+            for column in 0..columns {
+                self.vertex(place(column as f32 / columns as f32, row as f32 / rows as f32));
+            }
+        }
+        let index = |column: u32, row: u32| first + row * columns + column % columns;
+        for row in 0..rows {
+            for column in 0..columns {
+                let (a, b) = (index(column, row), index(column + 1, row));
+                let (c, d) = (index(column + 1, row + 1), index(column, row + 1));
+                self.triangle([a, b, c]);
+                self.triangle([a, c, d]);
+            }
+        }
+    }
+
+    /// A surface of revolution around the unit vector `axis`. The profile has the distance from the axis in `x` and the
+    /// height above `foot` in `y`, from below to above for an outer side. Two equal points in sequence make an edge that
+    /// is not smoothed. Has two triangles for each segment and step of the profile, one where a step starts or ends on
+    /// the axis, none between equal points.
+    pub(super) fn revolve(&mut self, foot: Vec3, axis: Vec3, profile: &[Vec2], segments: u32) {
+        let segments = segments.max(3);
+        let basis = Basis::around(axis);
+        let first = self.mesh.positions.len() as u32;
+        // All rings have all vertices, so that normals on the axis may differ around it.
+        let turns: Vec<Vec3> = (0..segments)
+            .map(|segment| {
+                let angle = std::f32::consts::TAU * segment as f32 / segments as f32;
+                basis.tangent * float::cos(angle) + basis.bitangent * float::sin(angle)
+            })
+            .collect();
+        for point in profile {
+            for turn in &turns {
+                self.vertex(foot + *turn * point.x + axis * point.y);
+            }
+        }
+        for (ring, pair) in (0..).zip(profile.windows(2)) {
+            let [below, above] = [pair[0], pair[1]];
+            if below == above {
+                continue;
+            }
+            let at = |ring: u32, segment: u32| first + ring * segments + segment % segments;
+            for segment in 0..segments {
+                let [a, b] = [at(ring, segment), at(ring, segment + 1)];
+                let [c, d] = [at(ring + 1, segment + 1), at(ring + 1, segment)];
+                if below.x > 0.0 {
+                    self.triangle([a, b, c]);
+                }
+                if above.x > 0.0 {
+                    self.triangle([a, c, d]);
+                }
+            }
+        }
+    }
+
+    /// A ball: an octahedron whose faces are cut into `fineness` squared triangles each and blown up.
+    pub(super) fn ball(&mut self, center: Vec3, radius: f32, fineness: u32) {
+        let fineness = fineness.max(1);
+        let first = self.mesh.positions.len() as u32;
+        // Rings from the upper pole down to the lower one; the ring of index r has 4 · (distance to the nearer pole).
+        let steps = |ring: u32| ring.min(2 * fineness - ring);
+        for ring in 0..=2 * fineness {
+            let steps = steps(ring);
+            let height = 1.0 - ring as f32 / fineness as f32;
+            if steps == 0 {
+                self.vertex(center + Vec3::Y * (height * radius));
+                continue;
+            }
+            for (from, to) in [(Vec3::X, -Vec3::Z), (-Vec3::Z, -Vec3::X), (-Vec3::X, Vec3::Z), (Vec3::Z, Vec3::X)] {
+                for step in 0..steps {
+                    let across = from.lerp(to, step as f32 / steps as f32) * (1.0 - height.abs());
+                    self.vertex(center + (across + Vec3::Y * height).normalize_or(Vec3::Y) * radius);
+                }
+            }
+        }
+        // Between two rings each quarter has one triangle more that stands on the longer ring.
+        let mut start = first;
+        for ring in 0..2 * fineness {
+            let (upper, lower) = (steps(ring), steps(ring + 1));
+            let next = start + (4 * upper).max(1);
+            let above = |quarter: u32, step: u32| start + (quarter * upper + step) % (4 * upper).max(1);
+            let below = |quarter: u32, step: u32| next + (quarter * lower + step) % (4 * lower).max(1);
+            for quarter in 0..4 {
+                for step in 0..lower {
+                    let tip = above(quarter, step.min(upper));
+                    let tip = if lower > upper { tip } else { above(quarter, step + 1) };
+                    self.triangle([tip, below(quarter, step), below(quarter, step + 1)]);
+                }
+                for step in 0..upper {
+                    let tip = if lower > upper { below(quarter, step + 1) } else { below(quarter, step) };
+                    self.triangle([tip, above(quarter, step + 1), above(quarter, step)]);
+                }
+            }
+            start = next;
+        }
+    }
+
+    /// A photographer's backdrop: a floor at height 0 that runs to `depth` behind the origin and bends upward there into
+    /// a wall. It is cut into `steps` strips, of two triangles each.
+    pub(super) fn backdrop(&mut self, width: f32, depth: f32, height: f32, steps: u32) {
+        let bend = height / 2.0;
+        let quarter = std::f32::consts::FRAC_PI_2;
+        self.surface(1, steps.max(3), |u, v| {
+            let x = width * (u - 0.5);
+            // The floor is one long strip, the wall another, all the others make the bend.
+            let steps = steps.max(3) as f32;
+            let step = v * steps;
+            if step < 0.5 {
+                return Vec3::new(x, 0.0, 2.0 * depth);
+            }
+            if step > steps - 0.5 {
+                return Vec3::new(x, height, -depth);
+            }
+            let angle = quarter * (step - 1.0) / (steps - 2.0);
+            Vec3::new(x, bend * (1.0 - float::cos(angle)), bend - depth - bend * float::sin(angle))
+        });
+    }
+}

@@ -7,6 +7,7 @@ pub mod mountain;
 mod noise;
 mod shape;
 pub mod sphere_flake;
+pub mod stadium;
 
 use crate::model::Model;
 
@@ -22,4 +23,4 @@ pub struct Generator {
 }
 
 /// All of them.
-pub const GENERATORS: &[Generator] = &[hair_ball::GENERATOR, mountain::GENERATOR, sphere_flake::GENERATOR];
+pub const GENERATORS: &[Generator] = &[hair_ball::GENERATOR, mountain::GENERATOR, sphere_flake::GENERATOR, stadium::GENERATOR];

@@ -22,6 +22,21 @@ pub(super) fn share(triangles: u32, share: f32) -> u32 {
     (f64::from(triangles) * f64::from(share)) as u32
 }
 
+/// A point of the smooth curve that runs through all the given points, for `t` from 0 at the first to 1 at the last.
+///
+/// Source: Catmull, Rom, *A Class of Local Interpolating Splines*, 1974.
+pub(super) fn spline(points: &[Vec3], t: f32) -> Vec3 {
+    let last = points.len() - 1;
+    let along = t.clamp(0.0, 1.0) * last as f32;
+    let i = (along as usize).min(last.saturating_sub(1));
+    let u = along - i as f32;
+    let [before, from, to, after] = [i.saturating_sub(1), i, i + 1, i + 2].map(|i| points[i.min(last)]);
+    let (slope, next_slope) = ((to - before) / 2.0, (after - from) / 2.0);
+    let bend = 3.0 * (to - from) - 2.0 * slope - next_slope;
+    let twist = 2.0 * (from - to) + slope + next_slope;
+    from + u * (slope + u * (bend + u * twist))
+}
+
 impl Builder {
     /// Make room for so many triangles, of which about every vertex belongs to two.
     pub(super) fn reserve(&mut self, triangles: u32) {
@@ -162,14 +177,14 @@ impl Builder {
     }
 
     /// A photographer's backdrop: a floor at height 0 that runs to `depth` behind the origin and bends upward there into
-    /// a wall. It is cut into `steps` strips, of two triangles each.
+    /// a wall. It has about two triangles for each step.
     pub(super) fn backdrop(&mut self, width: f32, depth: f32, height: f32, steps: u32) {
         let bend = height / 2.0;
         let quarter = std::f32::consts::FRAC_PI_2;
-        self.surface(1, steps.max(3), |u, v| {
+        self.surface(2, (steps / 2).max(3), |u, v| {
             let x = width * (u - 0.5);
             // The floor is one long strip, the wall another, all the others make the bend.
-            let steps = steps.max(3) as f32;
+            let steps = (steps / 2).max(3) as f32;
             let step = v * steps;
             if step < 0.5 {
                 return Vec3::new(x, 0.0, 2.0 * depth);

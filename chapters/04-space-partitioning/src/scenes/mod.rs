@@ -2,6 +2,7 @@
 //! measures on, and of any other size.
 
 pub mod builder;
+pub mod clearing;
 pub mod hair_ball;
 pub mod mountain;
 mod noise;
@@ -23,4 +24,4 @@ pub struct Generator {
 }
 
 /// All of them.
-pub const GENERATORS: &[Generator] = &[hair_ball::GENERATOR, mountain::GENERATOR, sphere_flake::GENERATOR, stadium::GENERATOR];
+pub const GENERATORS: &[Generator] = &[clearing::GENERATOR, hair_ball::GENERATOR, mountain::GENERATOR, sphere_flake::GENERATOR, stadium::GENERATOR];

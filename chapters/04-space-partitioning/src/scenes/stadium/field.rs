@@ -32,7 +32,7 @@ pub(super) fn field(builder: &mut Builder, triangles: u32) {
     builder.part("lines and goals", Phong::of(srgb(238, 240, 236), 0.1, 10.0));
     let half = LINE / 2.0;
     // The one under the teapot is cut where it is seen from near, since long thin triangles are met less precisely.
-    for ends in [-HALF.1, -4.0, -1.0, 1.0, 4.0, HALF.1].windows(2) {
+    for ends in [-HALF.1, -3.0, 3.0, HALF.1].windows(2) {
         level(builder, -half, half, ends[0], ends[1], PAINT);
     }
     if triangles > 300 {

@@ -27,7 +27,7 @@ const AISLE: u32 = 8;
 /// The stands, with about so many triangles.
 pub(super) fn stands(builder: &mut Builder, triangles: u32) {
     // Each segment of a row has a step and a riser; the roof and the walls are like four rows.
-    let rows = ((triangles as f32 / 16.0).sqrt() as u32).clamp(3, 22);
+    let rows = ((triangles as f32 / 16.0).sqrt() as u32).clamp(2, 22);
     let segments = (triangles / (4 * (rows + 2))).max(6);
     let step = Vec2::new(DEPTH, HEIGHT - FIRST) / rows as f32;
 
@@ -62,15 +62,20 @@ pub(super) fn stands(builder: &mut Builder, triangles: u32) {
         band(builder, segment, segments, (DEPTH + 0.3, ROOF.0), (DEPTH + 0.3, 0.0));
     }
 
+    if triangles > 150 {
+        roof(builder, segments, share(triangles, 0.1) / BOX);
+    }
+}
+
+/// A roof over the upper rows, on so many columns.
+fn roof(builder: &mut Builder, segments: u32, columns: u32) {
     builder.part("roof", Phong::of(srgb(210, 214, 220), 0.1, 20.0));
-    let edge = DEPTH - ROOF.2;
+    let (edge, wall) = (DEPTH - ROOF.2, DEPTH + 0.3);
     for segment in 0..segments {
-        band(builder, segment, segments, (edge, ROOF.1), (DEPTH + 0.3, ROOF.0));
-        band(builder, segment, segments, (DEPTH + 0.3, ROOF.0 - 0.4), (edge, ROOF.1 - 0.4));
+        band(builder, segment, segments, (edge, ROOF.1), (wall, ROOF.0));
+        band(builder, segment, segments, (wall, ROOF.0 - 0.4), (edge, ROOF.1 - 0.4));
         band(builder, segment, segments, (edge, ROOF.1 - 0.4), (edge, ROOF.1));
     }
-    // Columns under the roof.
-    let columns = share(triangles, 0.1) / BOX;
     for column in 0..columns {
         let foot = ring(column as f32 / columns as f32, DEPTH - 1.5);
         builder.beam(Vec3::new(foot.x, HEIGHT - 2.0, foot.y), Vec3::new(foot.x, ROOF.0, foot.y), 0.5);

@@ -47,12 +47,12 @@ fn make(triangles: u32) -> Model {
     let missing = builder.missing_to(triangles);
     meadow::grass(&mut builder, missing, &mut stream(6));
 
-    let glow = PointLight { position: lantern::flame(), intensity: Rgb::new(25.0, 14.5, 6.0) };
+    let glow = PointLight { position: lantern::flame(), intensity: Rgb::new(36.0, 21.0, 8.8) };
     Model {
         mesh: builder.mesh,
         shading: Shading::Smooth,
         parts: builder.parts,
-        view: View { eye: Vec3::new(0.5, 1.6, 7.9), lookat: Vec3::new(0.0, 1.4, 0.0), field_of_view: 41.0 },
+        view: View { eye: Vec3::new(0.5, 2.1, 7.8), lookat: Vec3::new(0.0, 1.35, 0.0), field_of_view: 41.0 },
         lights: vec![
             Box::new(glow),
             Box::new(DirectionalLight::new(Vec3::new(-0.7, 0.9, 0.1), Rgb::new(0.85, 1.15, 1.5))),

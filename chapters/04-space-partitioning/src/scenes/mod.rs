@@ -6,6 +6,7 @@ pub mod clearing;
 pub mod hair_ball;
 pub mod mountain;
 mod noise;
+pub mod plant;
 mod shape;
 pub mod sphere_flake;
 pub mod stadium;
@@ -24,4 +25,4 @@ pub struct Generator {
 }
 
 /// All of them.
-pub const GENERATORS: &[Generator] = &[clearing::GENERATOR, hair_ball::GENERATOR, mountain::GENERATOR, sphere_flake::GENERATOR, stadium::GENERATOR];
+pub const GENERATORS: &[Generator] = &[clearing::GENERATOR, hair_ball::GENERATOR, mountain::GENERATOR, plant::GENERATOR, sphere_flake::GENERATOR, stadium::GENERATOR];

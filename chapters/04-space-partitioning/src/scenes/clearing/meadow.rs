@@ -16,6 +16,8 @@ const BLADE: u32 = 3;
 const FLOWER: u32 = 12;
 /// Blades that grow from one place.
 const TUFT: u32 = 9;
+/// Radius of the stone in the middle, in meters.
+const STONE: f32 = 0.65;
 /// Half sections of a mushroom of height 1: distance from the axis and height.
 const STEM: [(f32, f32); 3] = [(0.17, -0.1), (0.1, 0.2), (0.09, 0.75)];
 const CAP: [(f32, f32); 7] =
@@ -39,9 +41,9 @@ pub(super) fn grass(builder: &mut Builder, triangles: u32, random: &mut Stream) 
     // Fewer blades are broader.
     let broad = float::pow(16_000.0 / blades as f32, 0.5).clamp(0.12, 8.0);
     let greens = [
-        ("dark grass", srgb(54, 78, 38), 0.34),
-        ("grass", srgb(86, 112, 48), 0.72),
-        ("dry grass", srgb(136, 138, 74), 1.0),
+        ("dark grass", srgb(64, 92, 44), 0.34),
+        ("grass", srgb(100, 130, 56), 0.72),
+        ("dry grass", srgb(158, 158, 88), 1.0),
     ];
     let mut grown = 0;
     for (name, color, until) in greens {
@@ -58,11 +60,9 @@ pub(super) fn grass(builder: &mut Builder, triangles: u32, random: &mut Stream) 
             let height = high * between(random, 0.12, 0.34) * broad.clamp(0.7, 1.6);
             let root = place + aside - Vec3::Y * 0.02;
             // No grass grows through the stone in the middle.
-            if Vec2::new(root.x, root.z).length() > 0.45 {
-                blade_of_grass(builder, root, height, 0.011 * broad, random);
-            } else {
-                blade_of_grass(builder, root * Vec3::new(-3.0, 1.0, 3.0) + Vec3::Z * 0.5, height, 0.011 * broad, random);
-            }
+            let from_middle = Vec2::new(root.x, root.z).length();
+            let root = root + Vec3::Z * (STONE - from_middle.min(STONE)) * 2.0;
+            blade_of_grass(builder, root, height, 0.011 * broad, random);
         }
         grown = last;
     }

@@ -83,7 +83,8 @@ impl Builder {
             let direction = points[(i + 1).min(points.len() - 1)] - points[i.saturating_sub(1)];
             let normal = direction.normalize_or(Vec3::Y);
             let basis = Basis::around(normal);
-            let tangent = before.map_or(basis.tangent, |t| t.reject_from_normalized(normal).normalize_or(basis.tangent));
+            let tangent =
+                before.map_or(basis.tangent, |t| t.reject_from_normalized(normal).normalize_or(basis.tangent));
             let bitangent = normal.cross(tangent);
             before = Some(tangent);
             for side in 0..sides {

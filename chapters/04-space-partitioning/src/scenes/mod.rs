@@ -10,6 +10,8 @@ pub mod plant;
 mod shape;
 pub mod sphere_flake;
 pub mod stadium;
+#[cfg(test)]
+mod tests;
 
 use crate::model::Model;
 
@@ -25,4 +27,11 @@ pub struct Generator {
 }
 
 /// All of them.
-pub const GENERATORS: &[Generator] = &[clearing::GENERATOR, hair_ball::GENERATOR, mountain::GENERATOR, plant::GENERATOR, sphere_flake::GENERATOR, stadium::GENERATOR];
+pub const GENERATORS: &[Generator] = &[
+    clearing::GENERATOR,
+    hair_ball::GENERATOR,
+    mountain::GENERATOR,
+    plant::GENERATOR,
+    sphere_flake::GENERATOR,
+    stadium::GENERATOR,
+];

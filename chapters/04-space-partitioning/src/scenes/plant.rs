@@ -28,7 +28,9 @@ fn make(triangles: u32) -> Model {
     ground(&mut builder);
     vessels::vessels(&mut builder, share(triangles, 0.16));
     house::house(&mut builder, share(triangles, 0.34), &mut stream(1));
-    pipes::rack(&mut builder, share(triangles, 0.02));
+    if triangles >= 500 {
+        pipes::rack(&mut builder, share(triangles, 0.02));
+    }
     // Pipes take all that is left.
     let missing = builder.missing_to(triangles);
     pipes::pipes(&mut builder, missing, &mut stream(2));
@@ -37,7 +39,7 @@ fn make(triangles: u32) -> Model {
         mesh: builder.mesh,
         shading: Shading::Smooth,
         parts: builder.parts,
-        view: View { eye: Vec3::new(64.0, 27.0, 92.0), lookat: Vec3::new(-4.0, 27.0, -8.0), field_of_view: 38.0 },
+        view: View { eye: Vec3::new(66.0, 34.0, 98.0), lookat: Vec3::new(-3.0, 24.5, -8.0), field_of_view: 39.0 },
         lights: vec![
             Box::new(DirectionalLight::new(Vec3::new(-0.62, 0.55, 0.6), Rgb::new(3.2, 2.6, 1.9))),
             Box::new(DirectionalLight::new(Vec3::new(0.9, 0.5, 0.3), Rgb::new(0.3, 0.38, 0.5))),

@@ -74,27 +74,6 @@ impl Builder {
         self.block(from + along, [basis.tangent * half, basis.bitangent * half, along]);
     }
 
-    /// A surface like [`Builder::surface`] that closes: its last column is its first. Has two triangles for each step of
-    /// both.
-    pub(super) fn wrapped(&mut self, columns: u32, rows: u32, mut place: impl FnMut(f32, f32) -> Vec3) {
-        let (columns, rows) = (columns.max(3), rows.max(1));
-        let first = self.mesh.positions.len() as u32;
-        for row in 0..=rows {
-            for column in 0..columns {
-                self.vertex(place(column as f32 / columns as f32, row as f32 / rows as f32));
-            }
-        }
-        let index = |column: u32, row: u32| first + row * columns + column % columns;
-        for row in 0..rows {
-            for column in 0..columns {
-                let (a, b) = (index(column, row), index(column + 1, row));
-                let (c, d) = (index(column + 1, row + 1), index(column, row + 1));
-                self.triangle([a, b, c]);
-                self.triangle([a, c, d]);
-            }
-        }
-    }
-
     /// A surface of revolution around the unit vector `axis`. The profile has the distance from the axis in `x` and the
     /// height above `foot` in `y`, from below to above for an outer side. Two equal points in sequence make an edge that
     /// is not smoothed. Has two triangles for each segment and step of the profile, one where a step starts or ends on

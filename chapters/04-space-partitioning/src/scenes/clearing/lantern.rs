@@ -88,7 +88,13 @@ pub(super) fn stones(builder: &mut Builder, triangles: u32, random: &mut Stream)
         let toward = Vec3::new(float::cos(angle), 0.0, float::sin(angle));
         let half = Vec3::new(between(random, 0.24, 0.36), between(random, 0.5, 0.85), between(random, 0.14, 0.2));
         let lean = Vec3::new(between(random, -0.12, 0.12), 1.0, between(random, -0.12, 0.12));
-        standing_stone(builder, place, [Vec3::Y.cross(toward) * half.x, lean * half.y, toward * half.z], fineness, stone);
+        standing_stone(
+            builder,
+            place,
+            [Vec3::Y.cross(toward) * half.x, lean * half.y, toward * half.z],
+            fineness,
+            stone,
+        );
     }
 }
 

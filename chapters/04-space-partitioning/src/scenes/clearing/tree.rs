@@ -71,8 +71,9 @@ fn tree(builder: &mut Builder, tufts: &mut Vec<Tuft>, foot: Vec3, height: f32, t
     // The trunk: a curved line, wide at the foot.
     let thick = height * between(random, 0.034, 0.042);
     let bow = |random: &mut Stream| Vec3::new(between(random, -0.4, 0.4), 0.0, between(random, -0.4, 0.4));
-    let line: Vec<Vec3> =
-        (0..5).map(|i| foot + Vec3::Y * (height * 0.85 * i as f32 / 4.0 - 0.1) + bow(random) * (i as f32 / 4.0)).collect();
+    let line: Vec<Vec3> = (0..5)
+        .map(|i| foot + Vec3::Y * (height * 0.85 * i as f32 / 4.0 - 0.1) + bow(random) * (i as f32 / 4.0))
+        .collect();
     let trunk_radius = |t: f32| thick * (1.0 - 0.82 * t + 0.9 * float::pow(1.0 - t, 14.0));
     tube(builder, &line, share(triangles, 0.22), 3.0, trunk_radius);
 
@@ -87,7 +88,8 @@ fn tree(builder: &mut Builder, tufts: &mut Vec<Tuft>, foot: Vec3, height: f32, t
             let place = foot + out * d + aside * (d * d);
             ground(place.x, place.z) + Vec3::Y * above
         };
-        let line = [foot + Vec3::Y * 0.75, on_ground(0.36, 0.22), on_ground(0.6 * length, 0.06), on_ground(length, -0.14)];
+        let line =
+            [foot + Vec3::Y * 0.75, on_ground(0.36, 0.22), on_ground(0.6 * length, 0.06), on_ground(length, -0.14)];
         tube(builder, &line, share(triangles, 0.16) / roots, 1.6, |t| thick * (0.62 - 0.5 * t));
     }
 

@@ -1,6 +1,6 @@
 //! The boiler house: an open frame of many storeys with floors of gratings, railings and stairs.
 
-use common::{Stream, Vec3, color::srgb};
+use common::{Stream, Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
 use super::{
@@ -16,8 +16,8 @@ pub(super) const LOW: Vec3 = Vec3::new(-30.0, 0.0, -38.0);
 pub(super) const HIGH: Vec3 = Vec3::new(16.0, 48.0, -6.0);
 /// Number of bays along x, y and z in a scene of middle size.
 const BAYS: Vec3 = Vec3::new(5.0, 7.0, 4.0);
-/// A bay is at least half as large as then.
-const FINEST: f32 = 2.0;
+/// There are at most so many times more bays along each axis, so that one can see through.
+const FINEST: f32 = 1.25;
 
 /// The frame's grid.
 struct Grid {
@@ -28,7 +28,7 @@ impl Grid {
     /// As fine as so many triangles allow, when each bay has about four beams.
     fn of(triangles: u32) -> Self {
         let scale = (triangles as f32 / (BAYS.element_product() * 4.0 * BOX as f32)).max(0.0);
-        let scale = common::float::cbrt(scale).min(FINEST);
+        let scale = float::cbrt(scale).min(FINEST);
         Self { bays: (BAYS * scale).to_array().map(|bays| (bays as u32).max(1)) }
     }
 
@@ -60,7 +60,8 @@ pub(super) fn house(builder: &mut Builder, triangles: u32, random: &mut Stream) 
     let for_floor = share(triangles, 0.4) / grid.floors();
     for y in 1..=ny {
         for (x, z) in (0..nx).flat_map(|x| (0..nz).map(move |z| (x, z))) {
-            if random.uniform() < 0.68 && for_floor >= BOX / 2 {
+            let is_first = (x, y, z) == (0, 1, 0);
+            if is_first || random.uniform() < 0.68 {
                 let (low, high) = (grid.at(x, y, z), grid.at(x + 1, y, z + 1));
                 grating(builder, low + Vec3::Y * 0.14, high + Vec3::Y * 0.22, share(for_floor, 1.4));
             }

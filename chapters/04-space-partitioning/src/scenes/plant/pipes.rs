@@ -65,14 +65,16 @@ pub(super) fn pipes(builder: &mut Builder, triangles: u32, random: &mut Stream) 
     let start = builder.count();
     let mut until = 0.0;
     let mut number = 0;
-    for (name, [red, green, blue], part) in KINDS {
+    // The fewest have one color.
+    let kinds = if triangles < 400 { &KINDS[..1] } else { &KINDS };
+    for &(name, [red, green, blue], part) in kinds {
         builder.part(name, Phong::of(srgb(red, green, blue), 0.5, 40.0));
         until += part;
         let wanted = start + share(triangles, until);
         let first = builder.count();
         while builder.count() < wanted || builder.count() == first {
             // Every third bundle lies on the rack.
-            let line = if number % 3 == 0 { rack_route(random) } else { house_route(random) };
+            let line = if number % 3 == 1 { rack_route(random) } else { house_route(random) };
             // The first are thick.
             let radius = 0.5 * float::pow(1.0 + number as f32 / 5.0, -0.33) * between(random, 0.7, 1.2);
             number += 1;
@@ -123,7 +125,8 @@ fn rack_route(random: &mut Stream) -> Vec<Vec3> {
     let bow = between(random, from + 12.0, to - 12.0);
     let (wide, high) = (between(random, 1.5, 4.0), between(random, 1.2, 2.6));
     let start = if random.uniform() < 0.5 { Vec3::new(from, 0.0, z) } else { Vec3::new(from, y, 30.0) };
-    let end = if random.uniform() < 0.4 { Vec3::new(to, 0.0, z) } else { Vec3::new(to, y, between(random, -12.0, -4.0)) };
+    let end =
+        if random.uniform() < 0.4 { Vec3::new(to, 0.0, z) } else { Vec3::new(to, y, between(random, -12.0, -4.0)) };
     vec![
         start,
         Vec3::new(from, y, z),

@@ -10,7 +10,7 @@ const BAR: f32 = 0.06;
 
 /// A beam of about so many triangles, at most: two chords with diagonals between if that is enough, otherwise a box.
 pub(super) fn girder(builder: &mut Builder, from: Vec3, to: Vec3, thickness: f32, triangles: u32) {
-    let panels = (triangles / BOX).saturating_sub(2).min(24);
+    let panels = (triangles / BOX).saturating_sub(2).min(40);
     if panels < 4 {
         return builder.beam(from, to, thickness);
     }
@@ -19,7 +19,7 @@ pub(super) fn girder(builder: &mut Builder, from: Vec3, to: Vec3, thickness: f32
     builder.beam(from, to, bar * 1.3);
     builder.beam(from + down, to + down, bar * 1.3);
     for panel in 0..panels {
-        let at = |i: u32| from.lerp(to, i as f32 / panels as f32) + if i % 2 == 0 { Vec3::ZERO } else { down };
+        let at = |i: u32| from.lerp(to, i as f32 / panels as f32) + if i.is_multiple_of(2) { Vec3::ZERO } else { down };
         builder.beam(at(panel), at(panel + 1), bar * 0.7);
     }
 }
@@ -57,9 +57,7 @@ pub(super) fn grating(builder: &mut Builder, low: Vec3, high: Vec3, triangles: u
     rows(bars - across, size.z, &|at| {
         (Vec3::new(low.x, low.y, low.z + at), Vec3::new(high.x, high.y, low.z + at + wide_z))
     });
-    rows(across, size.x, &|at| {
-        (Vec3::new(low.x + at, middle, low.z), Vec3::new(low.x + at + wide_x, high.y, high.z))
-    });
+    rows(across, size.x, &|at| (Vec3::new(low.x + at, middle, low.z), Vec3::new(low.x + at + wide_x, high.y, high.z)));
 }
 
 /// A railing of at most so many triangles: handrail, rail at the knee, posts. With fewer than two bars there is none.

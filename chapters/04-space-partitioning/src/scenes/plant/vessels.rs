@@ -13,8 +13,13 @@ use super::{
 
 /// Place on the ground, radius and height, in meters; the first are in any scene.
 type Vessel = (f32, f32, f32, f32);
-const TANKS: [Vessel; 5] =
-    [(-14.0, 34.0, 9.0, 10.0), (-37.0, 28.0, 9.0, 12.0), (-24.0, 54.0, 8.0, 8.5), (-50.0, 50.0, 10.0, 9.0), (-62.0, 22.0, 9.0, 12.0)];
+const TANKS: [Vessel; 5] = [
+    (-14.0, 34.0, 9.0, 10.0),
+    (-37.0, 28.0, 9.0, 12.0),
+    (-24.0, 54.0, 8.0, 8.5),
+    (-50.0, 50.0, 10.0, 9.0),
+    (-62.0, 22.0, 9.0, 12.0),
+];
 const COLUMNS: [Vessel; 7] = [
     (-19.0, -20.0, 6.0, 43.0),
     (4.0, -20.0, 6.0, 43.0),
@@ -57,24 +62,15 @@ const COLUMN: [(f32, f32); 12] = [
     (0.5, 0.995),
     (0.0, 1.0),
 ];
-const TOWER: [(f32, f32); 8] = [
-    (1.0, 0.0),
-    (0.88, 0.15),
-    (0.77, 0.32),
-    (0.69, 0.5),
-    (0.64, 0.68),
-    (0.635, 0.8),
-    (0.65, 0.92),
-    (0.67, 1.0),
-];
+const TOWER: [(f32, f32); 8] =
+    [(1.0, 0.0), (0.88, 0.15), (0.77, 0.32), (0.69, 0.5), (0.64, 0.68), (0.635, 0.8), (0.65, 0.92), (0.67, 1.0)];
 
 /// All of them, with about so many triangles.
 pub(super) fn vessels(builder: &mut Builder, triangles: u32) {
     // Chimneys, in bands that grow narrower.
     let chimneys = some(&CHIMNEYS, share(triangles, 0.14), 6 * 4);
     let bands = if triangles < 400 { 2 } else { BANDS };
-    for (name, color, parity) in
-        [("chimneys, white", srgb(228, 222, 212), 0), ("chimneys, red", srgb(188, 66, 50), 1)]
+    for (name, color, parity) in [("chimneys, white", srgb(228, 222, 212), 0), ("chimneys, red", srgb(188, 66, 50), 1)]
     {
         builder.part(name, Phong::of(color, 0.1, 10.0));
         let budget = share(triangles, 0.14) / (chimneys.len() as u32 * bands);
@@ -115,9 +111,8 @@ pub(super) fn vessels(builder: &mut Builder, triangles: u32) {
         let budget = share(triangles, 0.1) / (pieces * tanks.len() as u32);
         for &(x, z, radius, height) in tanks {
             for piece in 0..pieces {
-                let at = |piece: u32| {
-                    around(x, z, radius * 1.01, piece as f32 / pieces as f32) + Vec3::Y * (height * 0.97)
-                };
+                let at =
+                    |piece: u32| around(x, z, radius * 1.01, piece as f32 / pieces as f32) + Vec3::Y * (height * 0.97);
                 railing(builder, at(piece), at(piece + 1), budget);
             }
         }

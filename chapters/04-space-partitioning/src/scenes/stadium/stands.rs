@@ -37,8 +37,10 @@ pub(super) fn stands(builder: &mut Builder, triangles: u32) {
         let out = step.x * row as f32;
         band(builder, segment, segments, (out, below), (out, height(row)));
     };
-    let is_aisle = |segment: u32| segments > 3 * AISLE && segment % AISLE == 0;
-    let is_pale = |row: u32, segment: u32| (row * BLOCKS / rows + segment / AISLE) % 2 == 1;
+    let is_aisle = |segment: u32| segments > 3 * AISLE && segment.is_multiple_of(AISLE);
+    // A small stadium has two blocks around.
+    let block = AISLE.min(segments / 2);
+    let is_pale = |row: u32, segment: u32| (row * BLOCKS / rows + segment / block) % 2 == 1;
     for (name, color, pale) in [("blue seats", srgb(38, 78, 148), false), ("pale seats", srgb(206, 208, 206), true)] {
         builder.part(name, Phong::of(color, 0.1, 20.0));
         for row in 1..rows {

@@ -45,7 +45,7 @@ fn make(triangles: u32) -> Model {
 
     // The room, and the ball inside.
     builder.part("backdrop", Phong::of(srgb(96, 116, 124), 0.0, 1.0));
-    builder.backdrop(48.0, 9.0, 18.0, (triangles / 60).clamp(4, 24));
+    builder.backdrop(48.0, 9.0, 18.0, (triangles / 120).clamp(5, 14));
     builder.part("core", Phong::of(srgb(58, 26, 22), 0.0, 1.0));
     builder.ball(CENTER, CORE, fineness(share(triangles, 0.03), 1).clamp(1, 40));
 

@@ -22,27 +22,29 @@ fn fade(t: f32) -> f32 {
     t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
 }
 
+/// The greatest whole number that is not above `x`.
+fn whole_below(x: f32) -> i32 {
+    // Several times as fast as `floor` on machines without an instruction for it.
+    let toward_zero = x as i32;
+    toward_zero - i32::from(x < toward_zero as f32)
+}
+
+/// Eight directions, an eighth of a turn apart.
+const SLOPES: [(f32, f32); 8] = {
+    const D: f32 = std::f32::consts::FRAC_1_SQRT_2;
+    [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (D, D), (D, -D), (-D, D), (-D, -D)]
+};
+
 /// Gradient noise: about −1 to 1, zero in all points with whole coordinates, with hills and hollows about 1 apart.
 ///
 /// Source: Perlin, *Improving Noise*, SIGGRAPH 2002, in two dimensions and with a hash in place of the table.
 pub(super) fn noise(seed: u32, x: f32, z: f32) -> f32 {
-    let (column, row) = (x.floor(), z.floor());
-    let (dx, dz) = (x - column, z - row);
-    let (column, row) = (column as i32, row as i32);
+    let (column, row) = (whole_below(x), whole_below(z));
+    let (dx, dz) = (x - column as f32, z - row as f32);
     let corner = |i: i32, j: i32| {
-        let (dx, dz) = (dx - i as f32, dz - j as f32);
-        // Eight slopes, an eighth of a turn apart.
-        const DIAGONAL: f32 = std::f32::consts::FRAC_1_SQRT_2;
-        match hash(seed, column.wrapping_add(i), row.wrapping_add(j)) >> 29 {
-            0 => dx,
-            1 => -dx,
-            2 => dz,
-            3 => -dz,
-            4 => (dx + dz) * DIAGONAL,
-            5 => (dx - dz) * DIAGONAL,
-            6 => (dz - dx) * DIAGONAL,
-            _ => -(dx + dz) * DIAGONAL,
-        }
+        let hash = hash(seed, column.wrapping_add(i), row.wrapping_add(j));
+        let (slope_x, slope_z) = SLOPES[(hash >> 29) as usize];
+        (dx - i as f32) * slope_x + (dz - j as f32) * slope_z
     };
     let (u, v) = (fade(dx), fade(dz));
     let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
@@ -67,6 +69,9 @@ pub(super) fn fractal(seed: u32, x: f32, z: f32, octaves: u32) -> f32 {
 pub(super) fn ridges(seed: u32, x: f32, z: f32, octaves: u32) -> f32 {
     let (mut sum, mut height, mut scale, mut weight) = (0.0, 0.5, 1.0, 1.0);
     for octave in 0..octaves {
+        if weight <= 0.0 {
+            break;
+        }
         let ridge = 1.0 - noise(seed.wrapping_add(octave), x * scale, z * scale).abs();
         let ridge = ridge * ridge * weight;
         sum += ridge * height;

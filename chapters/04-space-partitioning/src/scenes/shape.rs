@@ -156,22 +156,21 @@ impl Builder {
     }
 
     /// A photographer's backdrop: a floor at height 0 that runs to `depth` behind the origin and bends upward there into
-    /// a wall. It has about two triangles for each step.
-    pub(super) fn backdrop(&mut self, width: f32, depth: f32, height: f32, steps: u32) {
+    /// a wall. It has four triangles for each of `rows` rows, which are at least 5.
+    pub(super) fn backdrop(&mut self, width: f32, depth: f32, height: f32, rows: u32) {
+        let rows = rows.max(5);
         let bend = height / 2.0;
-        let quarter = std::f32::consts::FRAC_PI_2;
-        self.surface(2, (steps / 2).max(3), |u, v| {
+        self.surface(2, rows, |u, v| {
             let x = width * (u - 0.5);
-            // The floor is one long strip, the wall another, all the others make the bend.
-            let steps = (steps / 2).max(3) as f32;
-            let step = v * steps;
-            if step < 0.5 {
+            // The floor is the first row, the wall the last, all the others make the bend: a quarter of a circle.
+            let row = (v * rows as f32).round();
+            if row < 1.0 {
                 return Vec3::new(x, 0.0, 2.0 * depth);
             }
-            if step > steps - 0.5 {
+            if row >= rows as f32 {
                 return Vec3::new(x, height, -depth);
             }
-            let angle = quarter * (step - 1.0) / (steps - 2.0);
+            let angle = std::f32::consts::FRAC_PI_2 * (row - 1.0) / (rows - 2) as f32;
             Vec3::new(x, bend * (1.0 - float::cos(angle)), bend - depth - bend * float::sin(angle))
         });
     }

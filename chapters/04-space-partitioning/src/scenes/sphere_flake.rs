@@ -48,7 +48,7 @@ fn make(triangles: u32) -> Model {
 
     // The room.
     builder.part("backdrop", Phong::of(srgb(206, 198, 190), 0.0, 1.0));
-    builder.backdrop(44.0, 9.0, 16.0, (triangles / 40).clamp(4, 24));
+    builder.backdrop(44.0, 9.0, 16.0, (triangles / 120).clamp(5, 14));
 
     // The balls, generation after generation.
     let finenesses = finenesses(builder.missing_to(triangles));

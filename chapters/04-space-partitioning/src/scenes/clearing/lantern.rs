@@ -23,6 +23,7 @@ const POSTS: (f32, f32, f32) = (0.16, 0.38, 0.018);
 /// Half sections of the stone, the lantern's floor, its roof with a knob, and the candle: distance from the axis, and
 /// height above the floor. Points twice in sequence are sharp edges.
 const STONE: [(f32, f32); 5] = [(0.4, -0.5), (0.34, -0.06), (0.3, -0.02), (0.3, -0.02), (0.0, -0.02)];
+const PLAIN_STONE: [(f32, f32); 3] = [(0.4, -0.5), (0.3, -0.02), (0.0, -0.02)];
 const FLOOR: [(f32, f32); 5] = [(0.2, -0.02), (0.2, 0.012), (0.2, 0.012), (0.17, 0.012), (0.0, 0.012)];
 const ROOF: [(f32, f32); 9] = [
     (0.0, 0.38),
@@ -60,10 +61,10 @@ pub(super) fn lantern(builder: &mut Builder, triangles: u32) {
         builder.revolve(foot(), Vec3::Y, &profile, segments);
     };
     builder.part("lantern's stone", Phong::of(srgb(126, 124, 120), 0.0, 1.0));
-    turned(builder, &STONE[if triangles < 100 { 3 } else { 0 }..]);
     if triangles < 100 {
-        return;
+        return turned(builder, &PLAIN_STONE);
     }
+    turned(builder, &STONE);
     builder.part("candle", Phong::of(srgb(250, 236, 200), 0.2, 20.0));
     turned(builder, &WAX);
     builder.part("lantern", Phong::of(srgb(62, 58, 56), 0.4, 30.0));

@@ -66,11 +66,12 @@ pub(super) fn pipes(builder: &mut Builder, triangles: u32, random: &mut Stream) 
     let mut until = 0.0;
     let mut number = 0;
     // The fewest have one color.
-    let kinds = if triangles < 400 { &KINDS[..1] } else { &KINDS };
-    for &(name, [red, green, blue], part) in kinds {
+    let kinds = if triangles < 200 { &KINDS[..1] } else { &KINDS };
+    for (i, &(name, [red, green, blue], part)) in kinds.iter().enumerate() {
         builder.part(name, Phong::of(srgb(red, green, blue), 0.5, 40.0));
         until += part;
-        let wanted = start + share(triangles, until);
+        // The last take the rest.
+        let wanted = start + if i + 1 == kinds.len() { triangles } else { share(triangles, until) };
         let first = builder.count();
         while builder.count() < wanted || builder.count() == first {
             // Every third bundle lies on the rack.

@@ -30,7 +30,7 @@ const COLUMNS: [Vessel; 7] = [
     (45.0, -17.0, 2.6, 34.0),
 ];
 const TOWERS: [Vessel; 3] = [(64.0, -104.0, 25.0, 66.0), (8.0, -122.0, 25.0, 66.0), (-104.0, -84.0, 25.0, 66.0)];
-const CHIMNEYS: [Vessel; 3] = [(-46.0, -48.0, 3.4, 86.0), (-38.0, -62.0, 3.4, 86.0), (-64.0, -40.0, 2.8, 70.0)];
+const CHIMNEYS: [Vessel; 3] = [(-46.0, -48.0, 3.4, 78.0), (-38.0, -62.0, 3.4, 78.0), (-64.0, -40.0, 2.8, 66.0)];
 /// Place and radius of a gas holder.
 const HOLDERS: [(f32, f32, f32); 3] = [(18.0, 36.0, 6.5), (37.0, 29.0, 6.5), (52.0, 12.0, 6.5)];
 /// Bands of a chimney, red and white in turn.
@@ -94,7 +94,7 @@ pub(super) fn vessels(builder: &mut Builder, triangles: u32) {
     all(builder, tanks, &TANK, share(triangles, 0.24));
     let holders = &HOLDERS[..(triangles / 80).clamp(1, HOLDERS.len() as u32) as usize];
     for &(x, z, radius) in holders {
-        let fineness = fineness(share(triangles, 0.12), holders.len() as u32);
+        let fineness = fineness(share(triangles, 0.12), holders.len() as u32).max(2);
         builder.ball(Vec3::new(x, radius + 2.5, z), radius, fineness);
     }
 
@@ -149,7 +149,7 @@ fn turned(builder: &mut Builder, foot: Vec3, size: (f32, f32), section: &[(f32, 
     let cuts = (triangles as f32 / (2 * steps * SEGMENTS) as f32).sqrt() as u32;
     let profile = match cuts {
         // Too few even for a triangular prism of all points: foot, shoulder and top.
-        0 if triangles < 6 * steps => vec![points[0], points[points.len() / 2], points[points.len() - 1]],
+        0 if triangles < 6 * steps => vec![points[0], points[points.len() * 2 / 3], points[points.len() - 1]],
         0 | 1 => points,
         _ => {
             let between = |pair: &[Vec2]| {

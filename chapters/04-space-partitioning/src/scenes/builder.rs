@@ -78,10 +78,10 @@ impl Builder {
         let first = self.mesh.positions.len() as u32;
         let mut before: Option<Basis> = None;
         for (i, &point) in points.iter().enumerate() {
-            // Around the direction from the point before to the point after.
+            // Around the direction from the point before to the point after. The first vector across it is the one of
+            // the point before, turned as little as possible, so that the tube does not twist.
             let direction = points[(i + 1).min(points.len() - 1)] - points[i.saturating_sub(1)];
             let normal = direction.normalize_or(Vec3::Y);
-            // Turned as little as can be from the ring before, so that the sides do not twist.
             let basis = before.map_or_else(|| Basis::around(normal), |before| leaned(before, normal));
             before = Some(basis);
             for side in 0..sides {

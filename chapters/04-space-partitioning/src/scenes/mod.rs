@@ -7,13 +7,23 @@ pub mod builder;
 pub mod chance;
 #[cfg(test)]
 mod checks;
+pub mod clearing;
 pub mod court;
 pub mod foliage;
 pub mod fountain;
 pub mod furniture;
+pub mod hair_ball;
 pub mod interior;
+pub mod mountain;
+mod noise;
+pub mod plant;
+mod shape;
 pub mod shapes;
+pub mod sphere_flake;
 pub mod square;
+pub mod stadium;
+#[cfg(test)]
+mod tests;
 
 use crate::model::Model;
 
@@ -29,4 +39,14 @@ pub struct Generator {
 }
 
 /// All of them.
-pub const GENERATORS: &[Generator] = &[interior::GENERATOR, court::GENERATOR, square::GENERATOR];
+pub const GENERATORS: &[Generator] = &[
+    interior::GENERATOR,
+    court::GENERATOR,
+    clearing::GENERATOR,
+    hair_ball::GENERATOR,
+    plant::GENERATOR,
+    square::GENERATOR,
+    sphere_flake::GENERATOR,
+    mountain::GENERATOR,
+    stadium::GENERATOR,
+];

@@ -155,6 +155,9 @@ impl Splitter {
         let half = middles.len() / 2;
         let (_, &mut position, _) = middles.select_nth_unstable_by(half, f32::total_cmp);
         let is_inside = cell.min[axis] < position && position < cell.max[axis];
-        is_inside.then_some(Split { axis, position, lower: half, upper: references.len() - half, cost: 0.0 })
+        let count = |is_there: &dyn Fn(&Aabb) -> bool| references.iter().filter(|(_, aabb)| is_there(aabb)).count();
+        let lower = count(&|aabb| aabb.min[axis] < position || aabb.max[axis] <= position);
+        let upper = count(&|aabb| aabb.max[axis] > position);
+        is_inside.then_some(Split { axis, position, lower, upper, cost: 0.0 })
     }
 }

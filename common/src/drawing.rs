@@ -4,6 +4,7 @@
 //! it, so it is crisp at every size. Its letters are strokes of ours: no font is needed.
 
 mod alphabet;
+mod axis;
 mod glyphs;
 pub mod lettering;
 pub mod mark;

@@ -1,0 +1,36 @@
+//! What the structures themselves cost as the scene grows.
+
+use common::{
+    Error,
+    film::Size,
+    picture::{Picture, Render, Settings},
+};
+
+use super::log_plots::{Shown, draw};
+use crate::choice::Choice;
+
+pub(super) const PICTURE: Picture = Picture {
+    name: "building",
+    alt: "Two plots on logarithmic axes over 100 to 10 million triangles: time to build a structure, and its memory.",
+    knobs: &[],
+    size: Size::of::<960, 460>(),
+    samples: 1,
+    takes_mesh: false,
+    make,
+};
+
+fn make(_settings: &Settings) -> Result<Box<dyn Render>, Error> {
+    let time = Shown {
+        title: "time",
+        y: ("time to build", " s", [1e-5, 1e2]),
+        value: |measured| measured.build,
+        legend: [150.0, 30.0],
+    };
+    let memory = Shown {
+        title: "memory",
+        y: ("memory, in bytes", "", [3e3, 1e10]),
+        value: |measured| measured.row.bytes as f32,
+        legend: [150.0, 3e9],
+    };
+    Ok(Box::new(draw(&Choice::STRUCTURES, [time, memory])))
+}

@@ -26,7 +26,9 @@ const OFTEN: u32 = 400;
 fn main() -> Result<(), Error> {
     let largest = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(u32::MAX);
     println!("# Scene '{}', seen by its camera; one diffuse bounce off what each pixel sees.", SCENE.name);
-    println!("# Counts are sums over all rays, the same on every machine. Seconds are the least of several runs in one");
+    println!(
+        "# Counts are sums over all rays, the same on every machine. Seconds are the least of several runs in one"
+    );
     println!("# thread: to build the structure, and for one ray, the mean.");
     println!("{COLUMNS}");
     for triangles in SIZES.into_iter().filter(|&size| size <= largest) {

@@ -24,13 +24,15 @@ fn make(_settings: &Settings) -> Result<Box<dyn Render>, Error> {
         title: "time",
         y: ("time to build", " s", [1e-5, 1e2]),
         value: |measured| measured.build,
-        legend: [150.0, 30.0],
+        legend: [130.0, 50.0],
+        known: None,
     };
     let memory = Shown {
         title: "memory",
-        y: ("memory, in bytes", "", [3e3, 1e10]),
-        value: |measured| measured.row.bytes as f32,
-        legend: [150.0, 3e9],
+        y: ("bytes for each triangle", "", [10.0, 1e3]),
+        value: |measured| measured.row.bytes as f32 / measured.row.triangles as f32,
+        legend: [130.0, 800.0],
+        known: None,
     };
     Ok(Box::new(draw(&Choice::STRUCTURES, [time, memory])))
 }

@@ -24,15 +24,18 @@ fn make(_settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let choices = [Choice::BruteForce, Choice::Grid, Choice::Octree, Choice::KdTree];
     let tests = Shown {
         title: "tests",
-        y: ("triangles tested by a ray", "", [2.0, 3e5]),
+        y: ("triangles tested by a ray", "", [2.0, 1e6]),
         value: |measured| measured.row.counts.tests as f32 / measured.row.rays as f32,
-        legend: [2e5, 16.0],
+        legend: [130.0, 5e5],
+        // Every triangle is tested.
+        known: Some([[1e5, 1e5], [1e6, 1e6]]),
     };
     let time = Shown {
         title: "time",
         y: ("time for a ray", " s", [1e-7, 1e-2]),
         value: |measured| measured.ray,
-        legend: [150.0, 4e-3],
+        legend: [130.0, 5e-3],
+        known: None,
     };
     Ok(Box::new(draw(&choices, [tests, time])))
 }

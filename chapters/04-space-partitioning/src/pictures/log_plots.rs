@@ -30,6 +30,8 @@ pub(super) struct Shown {
     pub(super) value: fn(&Measured) -> f32,
     /// Where the legend starts, in values of the axes.
     pub(super) legend: [f32; 2],
+    /// Ends of a dashed line: what brute force would need, where that is known without a measurement.
+    pub(super) known: Option<[[f32; 2]; 2]>,
 }
 
 /// Both plots on a page, with a curve for each of the structures.
@@ -47,12 +49,17 @@ fn panel(choices: &[Choice], measured: &[Measured], shown: &Shown) -> Drawing {
     let (name, unit, range) = shown.y;
     let points = |choice| points(measured, choice, shown.value);
     let curve = |&choice: &Choice| Curve { points: points(choice), pen: pen(choice) };
-    let keys = choices.iter().map(|&choice| (pen(choice), choice.name())).collect();
+    let keys = choices.iter().map(|&choice| (pen(choice), name_of(choice))).collect();
+    let mut curves: Vec<Curve> = choices.iter().map(curve).collect();
+    curves.extend(shown.known.map(|ends| Curve {
+        points: ends.map(Vec2::from_array).to_vec(),
+        pen: Pen { dashes: Some([7.0, 6.0]), ..pen(Choice::BruteForce) },
+    }));
     let plot = Plot {
         page: PANEL,
         x: Axis { name: "triangles", unit: "", range: [80.0, 1.3e7], scale: Scale::Logarithmic },
         y: Axis { name, unit, range, scale: Scale::Logarithmic },
-        curves: choices.iter().map(curve).collect(),
+        curves,
         legends: vec![Legend { at: Vec2::from_array(shown.legend), keys }],
     };
     let mut drawing = plot.drawing();
@@ -71,6 +78,11 @@ fn panel(choices: &[Choice], measured: &[Measured], shown: &Shown) -> Drawing {
 fn points(measured: &[Measured], choice: Choice, value: fn(&Measured) -> f32) -> Vec<Vec2> {
     let of_choice = measured.iter().filter(|measured| measured.row.choice == choice);
     of_choice.map(|measured| Vec2::new(measured.row.triangles as f32, value(measured))).collect()
+}
+
+/// Its name in the legend.
+fn name_of(choice: Choice) -> &'static str {
+    if choice == Choice::BruteForce { "brute force" } else { choice.name() }
 }
 
 /// What the curve of a structure is drawn with.

@@ -1,9 +1,11 @@
 //! The pictures of this chapter.
 
 mod building;
+mod cells;
 mod growth;
 mod heat;
 mod log_plots;
+mod losers;
 mod palette;
 mod scene;
 mod scenes;
@@ -37,8 +39,10 @@ pub const CHAPTER: Chapter = Chapter {
         scenes::SHADED[8],
         scenes::STEPS[8],
         walks::PICTURE,
+        cells::PICTURE,
         surface_area_cost::PICTURE,
         growth::PICTURE,
         building::PICTURE,
+        losers::PICTURE,
     ],
 };

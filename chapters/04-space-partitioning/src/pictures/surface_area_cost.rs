@@ -32,10 +32,10 @@ pub(super) const PICTURE: Picture = Picture {
     name: "surface-area-cost",
     alt: "Above, a cell seen from the side with the boxes of 24 primitives: a crowd of small ones at the left, a few \
           larger ones in the middle, two at the right, and empty space at both ends. Below, the expected cost as a \
-          golden saw-toothed curve over the place of the plane: it falls from the left edge, drops where the half \
-          left of the plane is empty, is least just behind the crowd, and rises toward the right. There a golden \
-          line, the chosen plane, goes through both; a dashed gray one, the median, cuts through the crowd and \
-          costs more. A dashed horizontal line shows the cost of leaving the cell whole.",
+          pale golden line over the place of the plane, with a step wherever a box begins or ends: it is lower where \
+          one half is empty, highest at the left side of the crowd, least just behind it, and rises slowly toward \
+          the right. There a golden line, the chosen plane, runs through both; a dashed gray one, the median, cuts \
+          through the crowd and costs more. A dashed horizontal line shows the cost of leaving the cell whole.",
     knobs: &[AXIS, INTERSECTION, BONUS],
     size: Size::of::<960, 640>(),
     samples: 1,
@@ -50,11 +50,8 @@ const PLOT_TOP: f32 = 252.0;
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let values = &settings.values;
     let axis = values.index(&AXIS).min(2);
-    let costs = Costs {
-        intersection: values.number(&INTERSECTION),
-        empty_bonus: values.number(&BONUS),
-        ..Costs::default()
-    };
+    let costs =
+        Costs { intersection: values.number(&INTERSECTION), empty_bonus: values.number(&BONUS), ..Costs::default() };
     let cell = Cell::crowded(costs);
     let plot = plot(&cell, axis);
     let mut page = Drawing::new(PAGE, SLATE);
@@ -62,9 +59,8 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     marks::draw_cell(&mut page, &cell, axis, &plot);
     marks::draw_whole(&mut page, &cell, &plot);
     let median = choose(Rule::Median { few: 0 }, &cell.boxes, &cell.aabb);
-    marks::draw_median(&mut page, &cell, axis, median, &plot);
     let cheapest = choose(Rule::SurfaceArea(costs), &cell.boxes, &cell.aabb);
-    marks::draw_chosen(&mut page, &cell, axis, cheapest, &plot);
+    marks::draw_planes(&mut page, &cell, axis, &plot, [median, cheapest]);
     Ok(Box::new(page))
 }
 
@@ -74,7 +70,7 @@ fn plot(cell: &Cell, axis: usize) -> Plot {
     let points = cell.curve(axis);
     let highest = points.iter().map(|point| point.y).fold(cell.whole(), f32::max) * 1.12;
     let across = [cell.aabb.min[axis], cell.aabb.max[axis]];
-    let scale = |[low, high]: [f32; 2]| Scale::Linear { step: round_step((high - low) / 8.0) };
+    let scale = |[low, high]: [f32; 2]| Scale::Linear { step: round_step((high - low) / 10.0) };
     Plot {
         page: PAGE - Vec2::Y * PLOT_TOP,
         x: Axis { name: PLACES[axis], unit: "", range: across, scale: scale(across) },

@@ -1,7 +1,7 @@
 //! The walk of one ray through each of the three structures, in a scene as flat as paper.
 
-mod paper;
 mod panel;
+mod paper;
 
 use common::{
     Error, Vec2,

@@ -16,9 +16,8 @@ use crate::{kd_tree::split::Split, pictures::palette::KD_TREE_GOLD};
 /// The lower and the upper edge of the cell on the page.
 const TOP: f32 = 66.0;
 const BOTTOM: f32 = 262.0;
-/// The baselines of the words about the chosen plane and about the median.
-const CHOSEN: f32 = 28.0;
-const MEDIAN: f32 = 54.0;
+/// The baselines of the words about the planes.
+const ROWS: [f32; 2] = [28.0, 54.0];
 
 fn letters(color: Rgb) -> Lettering {
     Lettering::new(Plot::LETTER, color)
@@ -52,40 +51,31 @@ pub(super) fn draw_cell(page: &mut Drawing, cell: &Cell, axis: usize, plot: &Plo
 pub(super) fn draw_whole(page: &mut Drawing, cell: &Cell, plot: &Plot) {
     let [left, right] = plot.x.range.map(|end| place(plot, end, cell.whole()));
     page.line(&[left, right], Pen { dashes: Some([9.0, 7.0]), ..Pen::new(CHALK, 1.6) });
-    let words = format!("left whole: {} tests", cell.boxes.len());
+    let words = format!("left whole: {} tests, cost {:.2}", cell.boxes.len(), cell.whole());
     page.text(&words, right + Vec2::new(-4.0, -8.0), letters(CHALK).aligned(Align::Right));
 }
 
-/// The plane through the median, if it is at right angles to the axis.
-pub(super) fn draw_median(page: &mut Drawing, cell: &Cell, axis: usize, split: Option<Split>, plot: &Plot) {
-    let Some(split) = split else { return };
-    if split.axis != axis {
-        let words = format!("The median rule halves across {}, the longest side.", NAMES[split.axis]);
-        page.text(&words, Vec2::new(place(plot, plot.x.range[0], 0.0).x, MEDIAN), letters(FAINT));
-        return;
-    }
-    let cost = cell.cost(axis, split.position);
-    let pen = Pen { dashes: Some([5.0, 5.0]), ..Pen::new(FAINT, 2.0) };
-    draw_plane(page, [split.position, cost], plot, pen, MEDIAN);
-    describe(page, "median", [split.position, cost], cell.counts(axis, split.position), plot, FAINT, MEDIAN);
-}
-
-/// The plane of least cost, if it is at right angles to the axis.
-pub(super) fn draw_chosen(page: &mut Drawing, cell: &Cell, axis: usize, split: Option<Split>, plot: &Plot) {
-    let left = Vec2::new(place(plot, plot.x.range[0], 0.0).x, CHOSEN);
-    match split {
-        None => {
-            page.text("No plane is cheaper than to leave the cell whole.", left, letters(KD_TREE_GOLD));
+/// The plane through the median, and over it the one of least cost, each if it is at right angles to the axis.
+pub(super) fn draw_planes(page: &mut Drawing, cell: &Cell, axis: usize, plot: &Plot, splits: [Option<Split>; 2]) {
+    let here = splits.map(|split| split.filter(|split| split.axis == axis));
+    let x = here.map(|split| split.map_or(0.0, |split| place(plot, split.position, 0.0).x));
+    // The words of neither cross the line of the other: those that would reach over it stand above its end.
+    let rows = if (x[0] < x[1]) == is_left(x[0]) { [ROWS[0], ROWS[1]] } else { [ROWS[1], ROWS[0]] };
+    let pens = [Pen { dashes: Some([5.0, 5.0]), ..Pen::new(FAINT, 2.0) }, Pen::new(KD_TREE_GOLD, 2.4)];
+    for (i, name) in ["median", "chosen"].into_iter().enumerate() {
+        let (pen, row) = (pens[i], rows[i]);
+        if let Some(Split { position, .. }) = here[i] {
+            draw_plane(page, [position, cell.cost(axis, position)], plot, pen, row);
+            describe(page, name, cell, axis, position, Vec2::new(x[i], row), pen.color);
+            continue;
         }
-        Some(Split { axis: other, .. }) if other != axis => {
-            let words = format!("The cheapest plane is at right angles to {}.", NAMES[other]);
-            page.text(&words, left, letters(KD_TREE_GOLD));
-        }
-        Some(Split { position, cost, .. }) => {
-            draw_plane(page, [position, cost], plot, Pen::new(KD_TREE_GOLD, 2.4), CHOSEN);
-            let counts = cell.counts(axis, position);
-            describe(page, "chosen", [position, cost], counts, plot, KD_TREE_GOLD, CHOSEN);
-        }
+        let words = match (splits[i], name) {
+            (Some(Split { axis, .. }), "median") => format!("The median rule halves across {}.", NAMES[axis]),
+            (Some(Split { axis, .. }), _) => format!("The cheapest plane is at right angles to {}.", NAMES[axis]),
+            (None, _) => "No plane is cheaper than to leave the cell whole.".into(),
+        };
+        let right = Vec2::new(place(plot, plot.x.range[1], 0.0).x, ROWS[i]);
+        page.text(&words, right, letters(pen.color).aligned(Align::Right));
     }
 }
 
@@ -97,18 +87,14 @@ fn draw_plane(page: &mut Drawing, [position, cost]: [f32; 2], plot: &Plot, pen: 
 }
 
 /// What a plane costs, and how many primitives are on its sides.
-fn describe(
-    page: &mut Drawing,
-    name: &str,
-    [position, cost]: [f32; 2],
-    [lower, upper]: [usize; 2],
-    plot: &Plot,
-    color: Rgb,
-    at: f32,
-) {
+fn describe(page: &mut Drawing, name: &str, cell: &Cell, axis: usize, position: f32, at: Vec2, color: Rgb) {
+    let ([lower, upper], cost) = (cell.counts(axis, position), cell.cost(axis, position));
     let words = format!("{name}: {lower} | {upper}, cost {cost:.2}");
-    let x = place(plot, position, 0.0).x;
-    // On the side where there is more room.
-    let (shift, align) = if x > super::PAGE.x / 2.0 { (-6.0, Align::Right) } else { (6.0, Align::Left) };
-    page.text(&words, Vec2::new(x + shift, at), letters(color).aligned(align));
+    let (shift, align) = if is_left(at.x) { (6.0, Align::Left) } else { (-6.0, Align::Right) };
+    page.text(&words, at + Vec2::X * shift, letters(color).aligned(align));
+}
+
+/// Whether there is more room at the right of a place.
+fn is_left(x: f32) -> bool {
+    x < super::PAGE.x / 2.0
 }

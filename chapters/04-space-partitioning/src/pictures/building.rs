@@ -22,9 +22,9 @@ pub(super) const PICTURE: Picture = Picture {
 fn make(_settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let time = Shown {
         title: "time",
-        y: ("time to build", " s", [1e-5, 1e2]),
+        y: ("time to build", " s", [1e-5, 1e3]),
         value: |measured| measured.build,
-        legend: [130.0, 50.0],
+        legend: [130.0, 500.0],
         known: None,
     };
     let memory = Shown {

@@ -48,7 +48,7 @@ const TRIANGLES: Knob =
 pub(super) const PICTURE: Picture = Picture {
     name: "cells",
     alt: "A red teapot three times, dimmed, with the cells around its surface as colored boxes of lines. The grid has \
-          577 blue cubes of one size, as fine around the smooth body as around spout, handle and knob. The octree has \
+          many blue cubes of one size, as fine around the smooth body as around spout, handle and knob. The octree has \
           fewer green cubes of several sizes, small where triangles crowd. The kd-tree has golden boxes of all shapes: \
           long and flat ones against the body, small ones along spout, handle and knob. Above each stand the numbers \
           of all its cells and of those that are not empty.",

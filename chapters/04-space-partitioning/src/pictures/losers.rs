@@ -6,7 +6,7 @@ mod scenes;
 use std::sync::Arc;
 
 use common::{
-    Error, Interval, Rgb, Stream, Vec2,
+    Error, Interval, Rgb, Stream, Vec2, Vec3,
     drawing::{Drawing, SLATE},
     film::Size,
     knob::{Knob, Step},
@@ -19,7 +19,7 @@ use self::scenes::SCENES;
 use crate::{
     choice::{Choice, Countable},
     lit_model::LitModel,
-    model::{Model, View},
+    model::View,
     probe::Counts,
 };
 
@@ -66,25 +66,21 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     for scene in &SCENES {
         let model = (scene.make)(triangles);
         let View { eye, lookat, field_of_view } = model.view;
-        let camera = Camera::new(eye, lookat, common::Vec3::Y, field_of_view).map_err(camera_error)?;
-        let steps = steps(&model, &camera)?;
-        bars::draw(&mut drawing, scene, &steps, at);
-        views.push(LitModel::new(model, Choice::KdTree, camera)?);
+        let camera = Camera::new(eye, lookat, Vec3::Y, field_of_view).map_err(camera_error)?;
+        let mesh = Arc::new(Mesh::new(&model.mesh, model.shading)?);
+        let view = LitModel::new(model, Choice::KdTree, camera)?;
+        bars::draw(&mut drawing, scene, &steps(&mesh, view.structure.as_ref(), &camera)?, at);
+        views.push(view);
         at.x += NEXT;
     }
     bars::draw_legend(&mut drawing);
     Ok(Box::new(Losers { drawing, views }))
 }
 
-/// Mean numbers of cells and tests of a camera ray, for each structure.
-fn steps(model: &Model, camera: &Camera) -> Result<[[f32; 2]; 3], Error> {
-    let mesh = Arc::new(Mesh::new(&model.mesh, model.shading)?);
-    let mut steps = [[0.0; 2]; 3];
-    for (mean, choice) in steps.iter_mut().zip(Choice::STRUCTURES) {
-        let structure = choice.over(Arc::clone(&mesh))?;
-        *mean = means(structure.as_ref(), camera);
-    }
-    Ok(steps)
+/// Mean numbers of cells and tests of a camera ray, for each structure; one of them, the kd-tree, is there already.
+fn steps(mesh: &Arc<Mesh>, kd_tree: &dyn Countable, camera: &Camera) -> Result<[[f32; 2]; 3], Error> {
+    let [grid, octree] = [Choice::Grid, Choice::Octree].map(|choice| choice.over(Arc::clone(mesh)));
+    Ok([means(grid?.as_ref(), camera), means(octree?.as_ref(), camera), means(kd_tree, camera)])
 }
 
 /// Mean numbers of cells and tests over a raster of camera rays.
@@ -130,8 +126,10 @@ mod tests {
         for (i, scene) in SCENES.iter().enumerate() {
             let model = (scene.make)(2000);
             let View { eye, lookat, field_of_view } = model.view;
-            let camera = Camera::new(eye, lookat, common::Vec3::Y, field_of_view).unwrap();
-            let steps = steps(&model, &camera).unwrap().map(|[cells, tests]| cells + tests);
+            let camera = Camera::new(eye, lookat, Vec3::Y, field_of_view).unwrap();
+            let mesh = Arc::new(Mesh::new(&model.mesh, model.shading).unwrap());
+            let kd_tree = Choice::KdTree.over(Arc::clone(&mesh)).unwrap();
+            let steps = steps(&mesh, kd_tree.as_ref(), &camera).unwrap().map(|[cells, tests]| cells + tests);
             let others = (0..3).filter(|&other| other != i).map(|other| steps[other]);
             assert!(others.fold(0.0, f32::max) < steps[i], "{}: {steps:?}", scene.title);
         }

@@ -57,7 +57,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let mut page = Drawing::new(PAGE, SLATE);
     page.paste(plot.drawing(), Vec2::Y * PLOT_TOP);
     marks::draw_cell(&mut page, &cell, axis, &plot);
-    marks::draw_whole(&mut page, &cell, &plot);
+    marks::draw_whole(&mut page, &cell, axis, &plot);
     let median = choose(Rule::Median { few: 0 }, &cell.boxes, &cell.aabb);
     let cheapest = choose(Rule::SurfaceArea(costs), &cell.boxes, &cell.aabb);
     marks::draw_planes(&mut page, &cell, axis, &plot, [median, cheapest]);

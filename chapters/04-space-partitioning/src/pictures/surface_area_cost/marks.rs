@@ -48,11 +48,14 @@ pub(super) fn draw_cell(page: &mut Drawing, cell: &Cell, axis: usize, plot: &Plo
 }
 
 /// The cost of leaving the cell whole.
-pub(super) fn draw_whole(page: &mut Drawing, cell: &Cell, plot: &Plot) {
+pub(super) fn draw_whole(page: &mut Drawing, cell: &Cell, axis: usize, plot: &Plot) {
     let [left, right] = plot.x.range.map(|end| place(plot, end, cell.whole()));
     page.line(&[left, right], Pen { dashes: Some([9.0, 7.0]), ..Pen::new(CHALK, 1.6) });
     let words = format!("left whole: {} tests, cost {:.2}", cell.boxes.len(), cell.whole());
-    page.text(&words, right + Vec2::new(-4.0, -8.0), letters(CHALK).aligned(Align::Right));
+    // On the other side of the line than the end of the curve.
+    let is_dear = cell.cost(axis, plot.x.range[1]) > cell.whole();
+    let beside = Vec2::new(-4.0, if is_dear { 22.0 } else { -8.0 });
+    page.text(&words, right + beside, letters(CHALK).aligned(Align::Right));
 }
 
 /// The plane through the median, and over it the one of least cost, each if it is at right angles to the axis.

@@ -1,7 +1,7 @@
 //! One panel: all cells of a structure, and the walk of the ray through them.
 
 use common::{
-    Interval, Rgb, Vec2,
+    Interval, Rgb, Vec2, Vec3,
     drawing::{
         CHALK, Drawing, FAINT, SLATE,
         lettering::{Align, Lettering},
@@ -16,6 +16,7 @@ use crate::{
     pictures::palette::{RAY, RED, color},
     probe::Walk,
     query::Found,
+    slabs::Slabs,
     structure::{Partition, Structure},
     triangles::Triangles,
 };
@@ -24,8 +25,6 @@ use crate::{
 pub(super) const SIDE: f32 = 300.0;
 /// How much of the scene's surroundings is seen at each edge, as a share of its width.
 const RIM: f32 = 0.03;
-/// How far a ray goes that hits nothing.
-const FAR: f32 = 2.0;
 /// Cells that are not so wide have no room for a number, in units of the page.
 const ROOM: f32 = 17.0;
 
@@ -97,15 +96,21 @@ fn draw_lines(panel: &mut Drawing, paper: &Paper, walk: &Walk, found: Option<Fou
     }
 }
 
-/// The ray up to its hit, and as dashes the way that it did not have to go.
+/// The ray up to its hit, or to the edge of the panel.
 fn draw_ray(panel: &mut Drawing, ray: &Ray, found: Option<Found>) {
     let at = |t: f32| place(seen(ray.at(t)));
-    let end = found.map_or(FAR, |found| found.t);
+    let end = found.map_or_else(|| leaves(ray), |found| found.t);
     panel.line(&[at(0.0), at(end)], Pen::new(SLATE, 4.0)).line(&[at(0.0), at(end)], Pen::new(RAY, 2.0));
     panel.disc(at(0.0), 4.0, RAY);
     if found.is_some() {
         panel.disc(at(end), 6.0, SLATE).disc(at(end), 4.6, RAY);
     }
+}
+
+/// The `t` at which a ray leaves what is seen.
+fn leaves(ray: &Ray) -> f32 {
+    let edges = Aabb { min: Vec3::splat(-RIM), max: Vec3::splat(1.0 + RIM) };
+    Slabs::of(ray).cross(&edges, Interval::POSITIVE).map_or(0.0, |inside| inside.max)
 }
 
 /// The number of each cell on the way, where there is room for it.

@@ -1,4 +1,4 @@
-//! What was measured with growing scenes, as curves on logarithmic axes: two plots side by side.
+//! What was measured with growing scenes, as curves over the number of triangles: two plots side by side.
 
 use common::{
     Vec2,
@@ -24,8 +24,8 @@ const PANEL: Vec2 = Vec2::new(480.0, 460.0);
 pub(super) struct Shown {
     /// Its headline.
     pub(super) title: &'static str,
-    /// The axis upward: what is measured, its unit, least and greatest value.
-    pub(super) y: (&'static str, &'static str, [f32; 2]),
+    /// The axis upward.
+    pub(super) y: Axis,
     /// The value of a measurement.
     pub(super) value: fn(&Measured) -> f32,
     /// Where the legend starts, in values of the axes.
@@ -46,7 +46,6 @@ pub(super) fn draw(choices: &[Choice], shown: [Shown; 2]) -> Drawing {
 
 /// One of the two.
 fn panel(choices: &[Choice], measured: &[Measured], shown: &Shown) -> Drawing {
-    let (name, unit, range) = shown.y;
     let points = |choice| points(measured, choice, shown.value);
     let curve = |&choice: &Choice| Curve { points: points(choice), pen: pen(choice) };
     let keys = choices.iter().map(|&choice| (pen(choice), name_of(choice))).collect();
@@ -58,7 +57,7 @@ fn panel(choices: &[Choice], measured: &[Measured], shown: &Shown) -> Drawing {
     let plot = Plot {
         page: PANEL,
         x: Axis { name: "triangles", unit: "", range: [80.0, 1.3e7], scale: Scale::Logarithmic },
-        y: Axis { name, unit, range, scale: Scale::Logarithmic },
+        y: shown.y,
         curves,
         legends: vec![Legend { at: Vec2::from_array(shown.legend), keys }],
     };
@@ -69,7 +68,7 @@ fn panel(choices: &[Choice], measured: &[Measured], shown: &Shown) -> Drawing {
             drawing.disc(plot.place(point), 3.6, color(choice));
         }
     }
-    let middle = Vec2::new(plot.place(Vec2::new(plot.x.range[1], 1.0)).x, 30.0);
+    let middle = Vec2::new(plot.place(Vec2::new(plot.x.range[1], plot.y.range[1])).x, 30.0);
     drawing.text(shown.title, middle, Lettering::new(22.0, CHALK).aligned(Align::Right));
     drawing
 }

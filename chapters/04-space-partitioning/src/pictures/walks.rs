@@ -30,12 +30,12 @@ const ANGLE: Knob = Knob::number("angle", "where the ray goes, upward", [-60.0, 
 
 pub(super) const PICTURE: Picture = Picture {
     name: "walks",
-    alt: "Three panels with the same flat scene, a large ring of short lines at the upper right, a small dense one \
-          at the left and loose lines around, cut into cells in three ways: blue squares of one size in the grid, \
-          green squares of many sizes in the octree, golden rectangles that fit the lines in the kd-tree. A ray \
-          comes from the left edge. The cells on its way are tinted and numbered up to the one where it hits the \
-          large ring; the lines that were tested are red, the one that was hit is white. Above each panel stand the \
-          numbers of cells and tests.",
+    alt: "Three panels with the same flat scene of short lines: an octagon, a large ring, a small dense ring, \
+          crumbs beside it, a floor and a wall. It is cut into cells in three ways: equal blue squares in the grid, \
+          green squares of several sizes in the octree, golden rectangles that fit the lines in the kd-tree. A ray \
+          comes from the left edge and hits the large ring. The cells on its way up to the hit are tinted and \
+          numbered; lines that were tested are red, the one that was hit is thick and white. Above each panel stand \
+          the numbers of cells and tests.",
     knobs: &[HEIGHT, ANGLE],
     size: Size::of::<960, 408>(),
     samples: 1,

@@ -37,7 +37,7 @@ pub(super) const PICTURE: Picture = Picture {
     name: "losers",
     alt: "Three scenes of about 2,000 triangles, and below each the mean number of steps of a camera ray in the \
           grid, the octree and the kd-tree as bars: cells visited dark, triangles tested bright. A teapot on a lawn \
-          before far stands: the grid takes about ten times as many steps as the others, nearly all of them tests. \
+          before far stands: the grid takes more than nine times as many steps as the others, nearly all of them tests. \
           A dandelion of thin triangles that meet in one point: the octree tests most of all triangles, the others \
           few. An even cloud of small triangles: the kd-tree takes most steps, more of them nodes than tests, twice \
           as many as the grid and a little more than the octree. The longest bar of each scene is marked in red as \

@@ -126,6 +126,12 @@ impl CellCost {
 }
 // ANCHOR_END: cost
 
+/// The plane by which a rule halves a cell of primitives, numbered and in boxes; `None` if it leaves the cell whole.
+#[must_use]
+pub fn choose(rule: Rule, boxes: &[(u32, Aabb)], cell: &Aabb) -> Option<Split> {
+    Splitter::default().choose(rule, boxes, cell)
+}
+
 /// Chooses planes. Keeps its memory from one cell to the next.
 #[derive(Default)]
 pub(super) struct Splitter {

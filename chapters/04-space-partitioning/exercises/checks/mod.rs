@@ -5,10 +5,12 @@
 
 #![allow(dead_code, reason = "an exercise uses its own check only")]
 
+pub(crate) mod blocks;
 pub(crate) mod hierarchy;
 mod hierarchy_shape;
 pub(crate) mod logged;
 pub(crate) mod meshes;
+pub(crate) mod plane_tree;
 pub(crate) mod walks;
 mod words;
 
@@ -18,5 +20,9 @@ pub(crate) mod bounding_sphere;
 pub(crate) mod bounding_volume_hierarchy;
 #[path = "2-mailboxing.rs"]
 pub(crate) mod mailboxing;
+#[path = "3-median-or-cost.rs"]
+pub(crate) mod median_or_cost;
 #[path = "4-ordered-shadow-walk.rs"]
 pub(crate) mod ordered_shadow_walk;
+#[path = "5-two-level-grid.rs"]
+pub(crate) mod two_level_grid;

@@ -11,8 +11,12 @@ pub(crate) mod bounding_sphere;
 pub(crate) mod bounding_volume_hierarchy;
 #[path = "2-mailboxing.rs"]
 pub(crate) mod mailboxing;
+#[path = "3-median-or-cost.rs"]
+pub(crate) mod median_or_cost;
 #[path = "4-ordered-shadow-walk.rs"]
 pub(crate) mod ordered_shadow_walk;
+#[path = "5-two-level-grid.rs"]
+pub(crate) mod two_level_grid;
 
 use common::{
     Error,

@@ -7,7 +7,10 @@ mod checks;
 mod bounding_sphere;
 mod bounding_volume_hierarchy;
 mod mailboxing;
+mod median_or_cost;
+mod messages;
 mod ordered_shadow_walk;
+mod two_level_grid;
 
 use common::exercise::Verdict;
 

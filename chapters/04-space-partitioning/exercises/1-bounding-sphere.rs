@@ -50,25 +50,14 @@ use checks::bounding_sphere::Ball;
 
 /// A ball that holds all points.
 fn around(points: &[Vec3]) -> Ball {
-    // STUB: let _ = points; // take this line away when you start
-    // STUB: Ball { center: Vec3::ZERO, radius: 0.0 }
-    let min = points.iter().copied().fold(Vec3::INFINITY, Vec3::min);
-    let max = points.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
-    let center = (min + max) / 2.0;
-    let radius = points.iter().map(|point| point.distance(center)).fold(0.0, f32::max);
-    Ball { center, radius: radius * 1.001 }
-    // END STUB
+    let _ = points; // take this line away when you start
+    Ball { center: Vec3::ZERO, radius: 0.0 }
 }
 
 /// Whether a ray can hit anything in a ball inside `range`.
 fn may_hit(ball: &Ball, ray: &Ray, range: Interval) -> bool {
-    // STUB: let _ = (ball, ray, range); // take this line away when you start
-    // STUB: true
-    // The point of the whole line that is nearest to the center, and of the range the one that is nearest to that.
-    let nearest = (ball.center - ray.origin).dot(ray.direction) / ray.direction.length_squared();
-    let nearest = nearest.clamp(range.min, range.max);
-    ray.at(nearest).distance(ball.center) <= ball.radius
-    // END STUB
+    let _ = (ball, ray, range); // take this line away when you start
+    true
 }
 
 // From here on your answer is checked and shown. There is nothing to do below.

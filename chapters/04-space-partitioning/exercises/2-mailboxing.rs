@@ -48,27 +48,17 @@ use space_partitioning::primitives::Primitives;
 struct Mailboxed<P>(P);
 
 impl<P: Primitives> Primitives for Mailboxed<P> {
-    // STUB: type View = P::View;
-    /// A prepared ray, and the numbers of the primitives that it has tested.
-    type View = (P::View, std::cell::RefCell<std::collections::HashSet<u32>>);
-    // END STUB
+    type View = P::View;
     type Entry = P::Entry;
 
     /// Prepare a ray.
     fn view(&self, ray: &Ray) -> Self::View {
-        // STUB: self.0.view(ray)
-        (self.0.view(ray), std::cell::RefCell::default())
-        // END STUB
+        self.0.view(ray)
     }
 
     /// The `t` inside `range` at which a ray hits a primitive that it has not tested before.
     fn intersect(&self, entry: &Self::Entry, view: &Self::View, range: Interval) -> Option<f32> {
-        // STUB: self.0.intersect(entry, view, range)
-        let (view, tested) = view;
-        // `insert` says whether the number is new.
-        let is_new = tested.borrow_mut().insert(self.number(entry));
-        is_new.then(|| self.0.intersect(entry, view, range)).flatten()
-        // END STUB
+        self.0.intersect(entry, view, range)
     }
 
     // All the rest is handed on. There is nothing to do here.

@@ -73,7 +73,8 @@ fn is_occluded_in(nodes: &[Node], number: usize, range: Interval, ray: &mut dyn 
         Content::List(list) => list.iter().any(|&number| ray.test(number, range).is_some()),
         Content::Halves(halves) => {
             // For how long the ray is inside of each half; less than not at all if it misses it.
-            let lengths = halves.map(|half| ray.cross(&nodes[half].aabb, range).map_or(-1.0, |part| part.max - part.min));
+            let lengths =
+                halves.map(|half| ray.cross(&nodes[half].aabb, range).map_or(-1.0, |part| part.max - part.min));
             let [first, second] = if lengths[0] >= lengths[1] { [0, 1] } else { [1, 0] };
             [first, second].into_iter().any(|i| lengths[i] >= 0.0 && is_occluded_in(nodes, halves[i], range, ray))
         }

@@ -65,8 +65,7 @@ fn tried(ball: &Ball, ray: &Ray, range: Interval) -> String {
 
 /// Clouds of points.
 fn balls(around: &impl Fn(&[Vec3]) -> Ball) -> Verdict {
-    let cube: Vec<_> =
-        (0..8).map(|i| Vec3::new((i & 1) as f32, (i >> 1 & 1) as f32, (i >> 2) as f32) * 2.0).collect();
+    let cube: Vec<_> = (0..8).map(|i| Vec3::new((i & 1) as f32, (i >> 1 & 1) as f32, (i >> 2) as f32) * 2.0).collect();
     cloud(around, &[Vec3::ZERO, Vec3::X * 2.0])?;
     cloud(around, &[Vec3::new(1.0, 2.0, 3.0), Vec3::new(1.0, -4.0, 3.0), Vec3::new(1.0, 0.0, 3.0)])?;
     cloud(around, &cube)?;
@@ -92,8 +91,7 @@ fn cloud(around: &impl Fn(&[Vec3]) -> Ball, points: &[Vec3]) -> Verdict {
     let min = points.iter().copied().fold(Vec3::INFINITY, Vec3::min).as_dvec3();
     let max = points.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max).as_dvec3();
     let middle = (min + max) / 2.0;
-    let reach =
-        |center: DVec3| points.iter().map(|point| point.as_dvec3().distance(center)).fold(0.0_f64, f64::max);
+    let reach = |center: DVec3| points.iter().map(|point| point.as_dvec3().distance(center)).fold(0.0_f64, f64::max);
     let (enough, center, radius) = (reach(middle), ball.center.as_dvec3(), f64::from(ball.radius));
     let fault = |name, advice: &str| {
         let expected = format!(
@@ -171,7 +169,8 @@ fn probe(
 fn answers(may_hit: &impl Fn(&Ball, &Ray, Interval) -> bool) -> Verdict {
     let unit = Ball { center: Vec3::ZERO, radius: 1.0 };
     let toward = Ray::new(Vec3::Z * 3.0, -Vec3::Z);
-    let at_unit = |ray: &Ray, (min, max): (f32, f32), mistake| probe(may_hit, &unit, ray, Interval::new(min, max), mistake);
+    let at_unit =
+        |ray: &Ray, (min, max): (f32, f32), mistake| probe(may_hit, &unit, ray, Interval::new(min, max), mistake);
     const FAR: f32 = f32::INFINITY;
     let advice = "This ray goes straight through the ball.";
     for range in [(0.0, 9.0), (0.0, FAR)] {
@@ -220,7 +219,8 @@ fn answers(may_hit: &impl Fn(&Ball, &Ray, Interval) -> bool) -> Verdict {
         let ray = Ray::new(origin, (aim - origin + Vec3::splat(0.001)) * dice.choice([0.25, 1.0, 4.0]));
         let (min, length) = (dice.number(-1.0, 2.0), dice.number(0.01, 3.0));
         for range in [Interval::POSITIVE, Interval::new(min, min + length)] {
-            let advice = "Of all points of the way, which one is nearest to the center? Draw the ball and the way on paper.";
+            let advice =
+                "Of all points of the way, which one is nearest to the center? Draw the ball and the way on paper.";
             probe(may_hit, &ball, &ray, range, ("wrong-answer", advice))?;
         }
     }
@@ -281,7 +281,10 @@ fn together(
             return Err(Finding {
                 tried: format!("{}, which your `around` made", tried(&ball, &ray, range)),
                 got: "false".into(),
-                expected: format!("true: the ray comes to the point {} that the ball was made for", words::triple(point)),
+                expected: format!(
+                    "true: the ray comes to the point {} that the ball was made for",
+                    words::triple(point)
+                ),
                 advice: "A ray to a point in the ball was lost. Is there room for rounding?".into(),
             }
             .named("lost-point"));

@@ -91,14 +91,7 @@ impl<M: Primitives<Entry = Entry>> Trial<M> {
     }
 
     /// The mistake, if the walk of the ray of that index goes wrong.
-    fn probe(
-        &self,
-        make: &impl Fn(Logged) -> M,
-        index: usize,
-        ray: &Ray,
-        range: Interval,
-        any: bool,
-    ) -> Verdict {
+    fn probe(&self, make: &impl Fn(Logged) -> M, index: usize, ray: &Ray, range: Interval, any: bool) -> Verdict {
         let (expected, repeated) = self.plain(ray, range, any);
         let tests = once(&repeated);
         let (found, log) = self.mailed(ray, range, any);
@@ -186,7 +179,9 @@ fn alone<M: Primitives<Entry = Entry>>(make: &impl Fn(Logged) -> M, triangles: &
                 let is_noted = log.is_empty() && ask(number, &view, &ray, range).1.is_empty();
                 let (name, advice) = match was_asked && is_noted {
                     true => OLD_NOTES,
-                    false => ("never-tested", "When there is no note about a primitive yet, ask `self.0.intersect`, once."),
+                    false => {
+                        ("never-tested", "When there is no note about a primitive yet, ask `self.0.intersect`, once.")
+                    }
                 };
                 let got = format!("tested: {}", words::numbers(&log));
                 let expected = format!("tested: {number}");
@@ -194,8 +189,9 @@ fn alone<M: Primitives<Entry = Entry>>(make: &impl Fn(Logged) -> M, triangles: &
             }
             if t != right {
                 let advice = "Hand the same entry and the same range on, and return what comes back.";
-                return Err(Finding { tried, got: told(t), expected: told(right), advice: advice.into() }
-                    .named("wrong-answer"));
+                return Err(
+                    Finding { tried, got: told(t), expected: told(right), advice: advice.into() }.named("wrong-answer")
+                );
             }
             let (second, log, tried) = ask(number, &view, &ray, range);
             if !log.is_empty() || second.is_some() {
@@ -204,7 +200,9 @@ fn alone<M: Primitives<Entry = Entry>>(make: &impl Fn(Logged) -> M, triangles: &
             }
         }
         let (name, advice) = match is_asked_again {
-            [true, true] => ("no-note", "The second time, there must be a note about this primitive, and the answer is `None`."),
+            [true, true] => {
+                ("no-note", "The second time, there must be a note about this primitive, and the answer is `None`.")
+            }
             [false, true] => ("hits-again", HIT_OR_MISS),
             [true, false] => ("misses-again", HIT_OR_MISS),
             [false, false] => continue,
@@ -225,7 +223,8 @@ const OLD_NOTES: (&str, &str) = (
     "A note is left from a ray before. Notes belong to one ray, and the next one begins without any: let them lie in its view.",
 );
 
-const HIT_OR_MISS: &str = "A note belongs to every test, whether it says hit or not. Here only one of the two is noted.";
+const HIT_OR_MISS: &str =
+    "A note belongs to every test, whether it says hit or not. Here only one of the two is noted.";
 
 /// Two rays on their way at the same time.
 fn together<M: Primitives<Entry = Entry>>(make: &impl Fn(Logged) -> M, triangles: &Triangles) -> Verdict {

@@ -95,7 +95,12 @@ impl<'c> Case<'c> {
     /// No test outside of the range.
     fn range(&self, name: &'static str, is_outside: fn(Interval, Interval) -> bool, advice: &str) -> Verdict {
         if is_outside(self.widest, self.range) {
-            return self.fault(name, format!("a test in the {}", words::range(self.widest)), words::range(self.range), advice);
+            return self.fault(
+                name,
+                format!("a test in the {}", words::range(self.widest)),
+                words::range(self.range),
+                advice,
+            );
         }
         Ok(())
     }
@@ -104,15 +109,18 @@ impl<'c> Case<'c> {
     fn answer(&self) -> Verdict {
         let count = if self.nodes.is_empty() { 0 } else { self.triangles.count() };
         let view = self.triangles.view(&self.ray);
-        let hit = (0..count).find(|&number| {
-            self.triangles.intersect(&self.triangles.entry(number), &view, self.range).is_some()
-        });
+        let hit = (0..count)
+            .find(|&number| self.triangles.intersect(&self.triangles.entry(number), &view, self.range).is_some());
         match hit {
             Some(hit) if !self.answer => {
                 let advice = match self.tests.contains(&hit) {
-                    true => "The primitive was tested, and the test said: hit. That must become the answer of the whole walk.",
-                    false => "A primitive that is hit was not tested. Is the second half visited when there is no hit in the first \
-                              one? And a ray that misses one half may meet the other.",
+                    true => {
+                        "The primitive was tested, and the test said: hit. That must become the answer of the whole walk."
+                    }
+                    false => {
+                        "A primitive that is hit was not tested. Is the second half visited when there is no hit in the first \
+                              one? And a ray that misses one half may meet the other."
+                    }
                 };
                 self.fault("missed", "false".into(), format!("true: primitive {hit} is hit"), advice)
             }
@@ -169,13 +177,19 @@ fn boxes_that_are_missed(cases: &[Case<'_>]) -> Verdict {
         let told = |tests: &[u32]| format!("tested, sorted by number: {}", words::numbers(tests));
         let twice = got.windows(2).any(|pair| pair[0] == pair[1]);
         let (name, advice) = if is_endless {
-            ("box-beyond-the-light", "A box that lies beyond the end of the range, or before its begin, cannot hold a hit that \
-                                      counts. Hand `range` on to `cross`.")
+            (
+                "box-beyond-the-light",
+                "A box that lies beyond the end of the range, or before its begin, cannot hold a hit that \
+                                      counts. Hand `range` on to `cross`.",
+            )
         } else if twice {
             ("tested-twice", "A primitive is tested twice. Is a node visited twice?")
         } else {
-            ("boxes-ignored", "If `cross` says `None`, nothing in that box is tested, and if it says `Some`, what is in it is. This \
-                               holds for the box of node 0, too.")
+            (
+                "boxes-ignored",
+                "If `cross` says `None`, nothing in that box is tested, and if it says `Some`, what is in it is. This \
+                               holds for the box of node 0, too.",
+            )
         };
         return case.fault(name, told(&got), told(&right), advice);
     }
@@ -192,8 +206,16 @@ fn order(cases: &[Case<'_>]) -> Verdict {
             "You visit the nearer half first. A shadow ray need not find the nearest hit: begin where the way through the box is \
              longer.",
         ),
-        (Order::Farther, "far-first", "You visit the farther half first. Begin where the way through the box is longer."),
-        (Order::Given, "fixed-order", "You visit the halves in the order of the node. Begin where the way through the box is longer."),
+        (
+            Order::Farther,
+            "far-first",
+            "You visit the farther half first. Begin where the way through the box is longer.",
+        ),
+        (
+            Order::Given,
+            "fixed-order",
+            "You visit the halves in the order of the node. Begin where the way through the box is longer.",
+        ),
         (
             Order::Reversed,
             "fixed-order",

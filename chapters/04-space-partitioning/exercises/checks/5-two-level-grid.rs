@@ -32,9 +32,10 @@ type Entry = <Triangles as Primitives>::Entry;
 pub(crate) fn check<T: TwoLevel>() -> Verdict {
     let triangles = soup(45, 600);
     let everywhere = Aabb { min: Vec3::splat(-20.0), max: Vec3::splat(20.0) };
+    let all: Vec<u32> = (0..triangles.count()).collect();
     let mut dice = Dice::new(451);
     let rays: Vec<_> = (0..150).map(|_| through_soup(&mut dice)).collect();
-    let is_empty = matches!(content::<T>(&triangles, &everywhere), Content::List(list) if list.is_empty());
+    let is_empty = matches!(content::<T>(&triangles, &all, &everywhere), Content::List(list) if list.is_empty());
     if is_empty {
         let structure = made::<T>(&triangles, 2);
         let walks = |ray: &Ray| outcome::<T, Nearest>(&structure, ray, Interval::POSITIVE).1 != Walk::default();
@@ -43,10 +44,15 @@ pub(crate) fn check<T: TwoLevel>() -> Verdict {
         }
     }
     // Blocks from as large as all triangles to very small.
-    block::<T>(&triangles, &everywhere)?;
+    block::<T>(&triangles, &all, &everywhere)?;
     for _ in 0..60 {
         let (center, half) = (dice.point(4.0), dice.choice([4.0, 2.0, 1.0, 0.5, 0.1]));
-        block::<T>(&triangles, &Aabb { min: center - half, max: center + half })?;
+        block::<T>(&triangles, &all, &Aabb { min: center - half, max: center + half })?;
+    }
+    // Only some of them, in an order of their own.
+    let backward: Vec<u32> = all.iter().rev().copied().collect();
+    for count in [0, 1, 10, FEW - 1, FEW, FEW + 1, 100] {
+        block::<T>(&triangles, &backward[..count], &everywhere)?;
     }
     // Walks, at last through blocks of which only the one around the teapot has a grid.
     for count in [1, 3, 8] {
@@ -56,26 +62,29 @@ pub(crate) fn check<T: TwoLevel>() -> Verdict {
     walks::<T>(&stadium(), 5, &rays)
 }
 
-fn block_words(block: &Aabb) -> String {
-    format!("the block from {} to {} of a soup of triangles", words::triple(block.min), words::triple(block.max))
+fn block_words(numbers: &[u32], block: &Aabb) -> String {
+    let (min, max) = (words::triple(block.min), words::triple(block.max));
+    format!("the block from {min} to {max}, and {} triangles", numbers.len())
 }
 
-fn content<T: TwoLevel>(triangles: &Triangles, block: &Aabb) -> Content<Entry> {
-    let numbers: Vec<u32> = (0..triangles.count()).collect();
-    trying(|| block_words(block), || T::content(triangles, &numbers, block))
+fn content<T: TwoLevel>(triangles: &Triangles, numbers: &[u32], block: &Aabb) -> Content<Entry> {
+    trying(|| block_words(numbers, block), || T::content(triangles, numbers, block))
 }
 
 fn made<T: TwoLevel>(triangles: &Triangles, count: u16) -> Structure<Triangles, Filled<Entry, T>> {
-    trying(|| format!("{} triangles in {count} × {count} × {count} blocks", triangles.count()), || filled(triangles.clone(), count))
+    trying(
+        || format!("{} triangles in {count} × {count} × {count} blocks", triangles.count()),
+        || filled(triangles.clone(), count),
+    )
 }
 
 /// What one block holds.
-fn block<T: TwoLevel>(triangles: &Triangles, block: &Aabb) -> Verdict {
-    let content = content::<T>(triangles, block);
-    let all = 0..triangles.count();
-    let expected: Vec<u32> = all.clone().filter(|&number| triangles.clipped(number, block).is_some()).collect();
+fn block<T: TwoLevel>(triangles: &Triangles, numbers: &[u32], block: &Aabb) -> Verdict {
+    let content = content::<T>(triangles, numbers, block);
+    let expected: Vec<u32> =
+        numbers.iter().copied().filter(|&number| triangles.clipped(number, block).is_some()).collect();
     let fault = |name, got: String, wanted: String, advice: &str| {
-        Err(Finding { tried: block_words(block), got, expected: wanted, advice: advice.into() }.named(name))
+        Err(Finding { tried: block_words(numbers, block), got, expected: wanted, advice: advice.into() }.named(name))
     };
     let kind = if expected.len() > FEW { "a grid over" } else { "a list of" };
     let wanted = format!("{kind} {} primitives: {}", expected.len(), words::numbers(&expected));
@@ -91,7 +100,7 @@ fn block<T: TwoLevel>(triangles: &Triangles, block: &Aabb) -> Verdict {
     let kind = if grid.is_some() { "a grid over" } else { "a list of" };
     let told = format!("{kind} {} primitives: {}", got.len(), words::numbers(&got));
     let sorted: BTreeSet<u32> = got.iter().copied().collect();
-    let reaches = |number: &u32| expected.binary_search(number).is_ok();
+    let reaches = |number: &u32| expected.contains(number);
     if let Some(missing) = expected.iter().find(|number| !sorted.contains(number)) {
         let advice = format!(
             "Primitive {missing} reaches into the block, but is not there. A primitive belongs to every block that some part of it \
@@ -101,7 +110,7 @@ fn block<T: TwoLevel>(triangles: &Triangles, block: &Aabb) -> Verdict {
     }
     if let Some(extra) = got.iter().find(|number| !reaches(number)) {
         let by_box = |number: &u32| overlap(&triangles.aabb(*number), block).is_some();
-        if sorted.len() == all.len() {
+        if sorted.len() == numbers.len() {
             let advice = "The block holds all primitives that there are. Leave out those that do not reach into it; a grid is to be \
                           over a `Part`.";
             return fault("everything", told, wanted, advice);
@@ -193,7 +202,8 @@ fn walk<T: TwoLevel, Q: Question>(
         let advice = "Does the walk visit every block that the ray meets, lists as well as grids, until a hit lies before the next \
                       block?";
         let ends_early = steps == steps_of::<T, Q>(structure, ray, range, Faults { ends_early: true, ..Faults::NONE });
-        let (name, advice) = if ends_early && found.is_some() { ("ends-early", ENDS_EARLY) } else { ("wrong-hit", advice) };
+        let (name, advice) =
+            if ends_early && found.is_some() { ("ends-early", ENDS_EARLY) } else { ("wrong-hit", advice) };
         return fault(name, words::found(found), words::found(expected), advice);
     }
     let others = [
@@ -229,7 +239,8 @@ const ENDS_EARLY: &str = "The first block with a hit does not end the search for
                           blocks may be hit in a later one, and another triangle before. Compare `inside.min` with `query.range().max`.";
 const GOES_ON: &str = "The walk goes on after the hit that it looked for. Compare `inside.min` with `query.range().max` before each block, \
                        and stop when any hit will do and there is one.";
-const NOT_COUNTED: &str = "Every block that is entered is told to `query.visit`, once, by its number, before its list or its grid.";
+const NOT_COUNTED: &str =
+    "Every block that is entered is told to `query.visit`, once, by its number, before its list or its grid.";
 
 /// What is wrong with a walk to compare with.
 #[derive(Clone, Copy)]

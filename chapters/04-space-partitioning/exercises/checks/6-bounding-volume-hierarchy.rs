@@ -31,7 +31,9 @@ pub(crate) fn check(
         found.is_none() && asker.tests.is_empty()
     });
     if finds_nothing && made(&build, &boxes(&triangles), "a soup of triangles").is_empty() {
-        return Err(Diagnosis::not_started("`build` returns a tree without nodes, and `nearest` finds nothing in any tree."));
+        return Err(Diagnosis::not_started(
+            "`build` returns a tree without nodes, and `nearest` finds nothing in any tree.",
+        ));
     }
     trees(&build)?;
     searches(&nearest)?;
@@ -129,8 +131,10 @@ impl<'c> Case<'c> {
             (None, Some(Found { number, .. })) => {
                 let advice = match asker.tests.contains(&number) {
                     true => "The primitive was tested, but its hit did not become the answer.",
-                    false => "The primitive was not tested. Is the second half visited when there is no hit in the first one? Does the \
-                              box of a list get its question?",
+                    false => {
+                        "The primitive was not tested. Is the second half visited when there is no hit in the first one? Does the \
+                              box of a list get its question?"
+                    }
                 };
                 self.fault("missed", got, expected, advice)
             }
@@ -142,9 +146,13 @@ impl<'c> Case<'c> {
             }
             (Some(_), Some(Found { number, .. })) => {
                 let advice = match asker.tests.contains(&number) {
-                    true => "A nearer hit was found, but did not become the answer. Is it lost when the search goes on in the other half?",
-                    false => "This is a hit, but not the nearest one. Boxes overlap: what is in the second half may lie before a hit \
-                              in the first one.",
+                    true => {
+                        "A nearer hit was found, but did not become the answer. Is it lost when the search goes on in the other half?"
+                    }
+                    false => {
+                        "This is a hit, but not the nearest one. Boxes overlap: what is in the second half may lie before a hit \
+                              in the first one."
+                    }
                 };
                 self.fault("not-nearest", got, expected, advice)
             }
@@ -191,7 +199,8 @@ fn behind_a_wall(nearest: &impl Fn(&[Node], Interval, &mut dyn Asking) -> Option
     };
     let triangles = triangles(&mesh);
     let nodes = median_tree(&boxes(&triangles), 1);
-    let case = Case { triangles: &triangles, nodes: &nodes, ray: Ray::new(Vec3::Z, -Vec3::Z), range: Interval::POSITIVE };
+    let case =
+        Case { triangles: &triangles, nodes: &nodes, ray: Ray::new(Vec3::Z, -Vec3::Z), range: Interval::POSITIVE };
     let (_, asker) = case.outcome(nearest);
     if asker.tests == [0] {
         return Ok(());
@@ -199,7 +208,10 @@ fn behind_a_wall(nearest: &impl Fn(&[Node], Interval, &mut dyn Asking) -> Option
     let advice = "Both halves were asked about before the first one was visited. Meanwhile something was hit, and the second half lies \
                   behind it: compare its `min` with the end of the range once more before you visit it, or ask again.";
     Err(Finding {
-        tried: format!("{}, with a list for each of two triangles: number 0 at z = 0, number 1 at z = -5", case.tried()),
+        tried: format!(
+            "{}, with a list for each of two triangles: number 0 at z = 0, number 1 at z = -5",
+            case.tried()
+        ),
         got: format!("tested: {}", words::numbers(&asker.tests)),
         expected: "tested: 0".into(),
         advice: advice.into(),
@@ -284,9 +296,8 @@ fn quality(
     let mut dice = Dice::new(464);
     let rays: Vec<_> = (0..1000).map(|_| make_ray(&mut dice)).collect();
     let [got, expected] = [&yours, &usual].map(|nodes| {
-        let tests = |ray: &Ray| {
-            Case { triangles, nodes, ray: *ray, range: Interval::POSITIVE }.tests_of(NearestHit::RIGHT)
-        };
+        let tests =
+            |ray: &Ray| Case { triangles, nodes, ray: *ray, range: Interval::POSITIVE }.tests_of(NearestHit::RIGHT);
         rays.iter().map(tests).sum::<usize>()
     });
     if got * 10 <= expected * 13 {

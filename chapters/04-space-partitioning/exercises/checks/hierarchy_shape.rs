@@ -41,7 +41,12 @@ pub(crate) fn shape(nodes: &[Node], boxes: &[Aabb], tried: &str) -> Verdict {
         if level > MOST_LEVELS {
             let advice = "Such a deep tree is nearly a list. When all centers lie in the same place, or most of them in a corner, a plane \
                           in the middle does not part them. Part them by their number.";
-            return fault("too-deep", format!("node {number} at level {level}"), format!("at most {MOST_LEVELS} levels"), advice);
+            return fault(
+                "too-deep",
+                format!("node {number} at level {level}"),
+                format!("at most {MOST_LEVELS} levels"),
+                advice,
+            );
         }
         order.push(number);
         match &nodes[number].content {
@@ -58,7 +63,12 @@ pub(crate) fn shape(nodes: &[Node], boxes: &[Aabb], tried: &str) -> Verdict {
                         Some(places) => places.push(number),
                         None => {
                             let got = format!("node {number} lists primitive {primitive}, of {}", boxes.len());
-                            return fault("no-such-primitive", got, "primitives that exist".into(), "Numbers begin with 0.");
+                            return fault(
+                                "no-such-primitive",
+                                got,
+                                "primitives that exist".into(),
+                                "Numbers begin with 0.",
+                            );
                         }
                     }
                 }
@@ -80,7 +90,12 @@ pub(crate) fn shape(nodes: &[Node], boxes: &[Aabb], tried: &str) -> Verdict {
     }
     if let Some(unused) = visits.iter().position(|&visits| visits == 0) {
         let got = format!("node {unused} is the half of no other node");
-        return fault("unused-node", got, "every node is reached from node 0".into(), "Node 0 is the whole: it is the first that goes into the list, before its halves.");
+        return fault(
+            "unused-node",
+            got,
+            "every node is reached from node 0".into(),
+            "Node 0 is the whole: it is the first that goes into the list, before its halves.",
+        );
     }
     if let Some(lost) = stands.iter().position(Vec::is_empty) {
         let advice = "When primitives are parted, each goes to one of the two sides. What about one that lies at the place of \
@@ -89,7 +104,8 @@ pub(crate) fn shape(nodes: &[Node], boxes: &[Aabb], tried: &str) -> Verdict {
         return fault("lost-primitive", got, "each stands in one".into(), advice);
     }
     if let Some(twice) = stands.iter().position(|places| places.len() > 1) {
-        let advice = "Objects are parted, not space: each goes to one side, even if its box reaches over to the other one.";
+        let advice =
+            "Objects are parted, not space: each goes to one side, even if its box reaches over to the other one.";
         let got = format!("primitive {twice} stands in {} lists", stands[twice].len());
         return fault("listed-twice", got, "each stands in one".into(), advice);
     }

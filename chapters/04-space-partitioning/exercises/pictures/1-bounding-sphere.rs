@@ -89,7 +89,8 @@ pub(crate) fn make(
         let turn = column * 37.0 + row * 61.0;
         let has_fallen = (x * 3 + z * 5).rem_euclid(7) == 0;
         let tilt = if has_fallen { 83.0 } else { 0.0 };
-        let place = Vec3::new(column * 2.3 + (z.rem_euclid(2) as f32) * 1.1, if has_fallen { 0.5 } else { 0.0 }, row * 2.1);
+        let place =
+            Vec3::new(column * 2.3 + (z.rem_euclid(2) as f32) * 1.1, if has_fallen { 0.5 } else { 0.0 }, row * 2.1);
         let frame = Frame::at(place).turned(Vec3::X, tilt).turned(Vec3::Y, turn);
         let mut obj = pawn()?;
         for position in &mut obj.positions {

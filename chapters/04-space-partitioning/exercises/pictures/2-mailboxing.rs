@@ -8,7 +8,10 @@ use ray_casting::{pictures::stage::camera, ray::Ray};
 use space_partitioning::{grid::grid, primitives::Primitives};
 
 use super::{Make, steps::Steps};
-use crate::checks::{logged::{Logged, logging}, meshes::spikes};
+use crate::checks::{
+    logged::{Logged, logging},
+    meshes::spikes,
+};
 
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {

@@ -7,16 +7,10 @@ use common::{
     color::srgb,
     picture::{Panels, Picture, Render, Settings},
 };
-use ray_casting::{
-    hit::Hit,
-    light::DirectionalLight,
-    material::Phong,
-    pictures::stage::camera,
-    ray::Ray,
-    scene::Scene,
-    shape::Shape,
-};
 use ray_casting::aabb::Aabb;
+use ray_casting::{
+    hit::Hit, light::DirectionalLight, material::Phong, pictures::stage::camera, ray::Ray, scene::Scene, shape::Shape,
+};
 use shadows::{direct_light::DirectLight, offset::Offset};
 use space_partitioning::{primitives::Primitives, query::Found, scenes::builder::Builder, triangles::Triangles};
 

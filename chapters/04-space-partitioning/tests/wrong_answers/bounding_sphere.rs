@@ -16,7 +16,7 @@ fn farthest(points: &[Vec3], center: Vec3) -> f32 {
 }
 
 fn the_box(points: &[Vec3]) -> Aabb {
-    Aabb::around(points).unwrap()
+    Aabb::around(points).expect("points")
 }
 
 const AROUND: Around = |points| {
@@ -64,10 +64,8 @@ fn wrong_balls() {
         Ball { center: (min + max) / 2.0, radius: (max - min).max_element() / 2.0 * 1.001 }
     };
     assert_eq!(by_around(by_longest_side), "point-outside");
-    let around_the_box: Around = |points| Ball {
-        center: the_box(points).center(),
-        radius: the_box(points).diagonal() / 2.0 * 1.001,
-    };
+    let around_the_box: Around =
+        |points| Ball { center: the_box(points).center(), radius: the_box(points).diagonal() / 2.0 * 1.001 };
     assert_eq!(by_around(around_the_box), "around-the-box");
     let around_mean: Around = |points| {
         let center = points.iter().sum::<Vec3>() / points.len() as f32;
@@ -119,7 +117,10 @@ fn lengths_places_and_sizes() {
     assert_eq!(by_query(no_division), "unit-direction");
     let normalized: MayHit = |ball, ray, range| MAY_HIT(ball, &Ray::new(ray.origin, ray.direction.normalize()), range);
     assert_eq!(by_query(normalized), "unit-direction");
-    assert_eq!(by_query(|ball, ray, range| MAY_HIT(&Ball { center: Vec3::ZERO, ..*ball }, ray, range)), "center-or-radius");
+    assert_eq!(
+        by_query(|ball, ray, range| MAY_HIT(&Ball { center: Vec3::ZERO, ..*ball }, ray, range)),
+        "center-or-radius"
+    );
     let not_squared: MayHit = |ball, ray, range| MAY_HIT(&Ball { radius: ball.radius.sqrt(), ..*ball }, ray, range);
     assert_eq!(by_query(not_squared), "center-or-radius");
     // The discriminant of chapter 1's quadratic formula.

@@ -41,15 +41,12 @@ fn nothing_is_not_started() {
     assert_eq!(name(check(BUILD, |_, _, _| None)), "missed");
 }
 
+/// Parts the primitives of some numbers.
+type Part<'p> = &'p dyn Fn(&[Aabb], &[u32]) -> [Vec<u32>; 2];
+
 /// A tree whose nodes are made by parting numbers with a function.
-fn parted(boxes: &[Aabb], few: usize, part: &dyn Fn(&[Aabb], &[u32]) -> [Vec<u32>; 2]) -> Vec<Node> {
-    fn grow(
-        nodes: &mut Vec<Node>,
-        boxes: &[Aabb],
-        numbers: &[u32],
-        few: usize,
-        part: &dyn Fn(&[Aabb], &[u32]) -> [Vec<u32>; 2],
-    ) -> usize {
+fn parted(boxes: &[Aabb], few: usize, part: Part<'_>) -> Vec<Node> {
+    fn grow(nodes: &mut Vec<Node>, boxes: &[Aabb], numbers: &[u32], few: usize, part: Part<'_>) -> usize {
         let index = nodes.len();
         let aabb = around(numbers.iter().map(|&n| &boxes[n as usize])).unwrap_or(Aabb::EVERYTHING);
         nodes.push(Node { aabb, content: Content::List(numbers.to_vec()) });
@@ -88,9 +85,7 @@ fn trees_that_are_none() {
         })
     };
     assert_eq!(by_build(by_middle), "long-list");
-    let one_by_one: Build = |boxes| {
-        parted(boxes, 8, &|_, numbers| [numbers[..1].to_vec(), numbers[1..].to_vec()])
-    };
+    let one_by_one: Build = |boxes| parted(boxes, 8, &|_, numbers| [numbers[..1].to_vec(), numbers[1..].to_vec()]);
     assert_eq!(by_build(one_by_one), "too-deep");
     let both_sides: Build = |boxes| {
         parted(boxes, 8, &|_, numbers| {

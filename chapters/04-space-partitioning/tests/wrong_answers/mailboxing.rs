@@ -99,7 +99,8 @@ type Set = HashSet<u32>;
 
 #[test]
 fn right_ones_are_accepted() {
-    let by_set: Intersect<Set> = |_, test, notes| notes.borrow_mut().insert(test.number).then(|| test.answer()).flatten();
+    let by_set: Intersect<Set> =
+        |_, test, notes| notes.borrow_mut().insert(test.number).then(|| test.answer()).flatten();
     assert_eq!(verdict(by_set), Ok(()));
     let by_list: Intersect<Vec<u32>> = |_, test, notes| {
         if notes.borrow().contains(&test.number) {

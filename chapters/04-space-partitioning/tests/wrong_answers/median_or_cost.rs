@@ -28,7 +28,8 @@ fn cost_by(measure: fn([f32; 3]) -> f32, [a, b, whole]: [[f32; 3]; 3], lower: us
     TRAVERSAL + TEST * (measure(a) * lower as f32 + measure(b) * upper as f32) / measure(whole)
 }
 
-const COST: Cost = |cell, axis, position, lower, upper| cost_by(half_surface, sides(cell, axis, position), lower, upper);
+const COST: Cost =
+    |cell, axis, position, lower, upper| cost_by(half_surface, sides(cell, axis, position), lower, upper);
 
 /// How planes are chosen.
 #[derive(Clone, Copy)]
@@ -80,9 +81,38 @@ fn by_choice(choice: Choice) -> &'static str {
     name(check(COST, |cell, axis, spans| choice.choose(cell, axis, spans)))
 }
 
+/// The right answer in time n·log n.
+fn quick(cell: &Aabb, axis: usize, spans: &[Span]) -> Option<Plane> {
+    let mut begins: Vec<f32> = spans.iter().filter(|s| s.begin < s.end).map(|s| s.begin).collect();
+    let mut flat: Vec<f32> = spans.iter().filter(|s| s.begin == s.end).map(|s| s.end).collect();
+    let mut ends: Vec<f32> = spans.iter().map(|s| s.end).collect();
+    for list in [&mut begins, &mut flat, &mut ends] {
+        list.sort_by(f32::total_cmp);
+    }
+    let places = begins.iter().chain(&ends).copied().filter(|at| cell.min[axis] < *at && *at < cell.max[axis]);
+    let planes = places.map(|position| {
+        let lower = begins.partition_point(|b| *b < position) + flat.partition_point(|f| *f <= position);
+        let upper = spans.len() - ends.partition_point(|e| *e <= position);
+        Plane { position, lower, upper, cost: COST(cell, axis, position, lower, upper) }
+    });
+    let best = planes.min_by(|a, b| a.cost.total_cmp(&b.cost))?;
+    (best.cost < TEST * spans.len() as f32).then_some(best)
+}
+
 #[test]
-fn right_ones_are_accepted() {
-    assert_eq!(check(COST, |cell, axis, spans| RIGHT.choose(cell, axis, spans)), Ok(()));
+fn the_right_one_is_accepted() {
+    assert_eq!(check(COST, quick), Ok(()));
+}
+
+#[test]
+fn planes_that_depend_on_the_call_before() {
+    // Every fourth call finds nothing; not yet for the small cells of the check.
+    let calls = std::cell::Cell::new(0_u32);
+    let tired = |cell: &Aabb, axis: usize, spans: &[Span]| {
+        calls.set(calls.get() + 1);
+        if calls.get() < 700 { quick(cell, axis, spans) } else { None }
+    };
+    assert_eq!(name(check(COST, tired)), "poor-tree");
 }
 
 #[test]
@@ -128,14 +158,16 @@ fn wrong_costs() {
 fn wrong_places() {
     assert_eq!(by_choice(Choice { places: |span| vec![span.begin], ..RIGHT }), "ends-forgotten");
     assert_eq!(by_choice(Choice { places: |span| vec![span.end], ..RIGHT }), "begins-forgotten");
-    assert_eq!(by_choice(Choice { places: |span| vec![f32::midpoint(span.begin, span.end)], ..RIGHT }), "no-such-place");
+    assert_eq!(
+        by_choice(Choice { places: |span| vec![f32::midpoint(span.begin, span.end)], ..RIGHT }),
+        "no-such-place"
+    );
     assert_eq!(by_choice(Choice { faces: true, ..RIGHT }), "in-a-face");
     assert_eq!(by_choice(Choice { whole: false, ..RIGHT }), "not-worth-it");
     let median: Choice = Choice { key: |_, a, b| a.abs_diff(b) as f32, ..RIGHT };
     assert_eq!(by_choice(median), "median");
     assert_eq!(by_choice(Choice { key: |cost, _, _| -cost, ..RIGHT }), "none-found");
-    let no_least = |cell: &Aabb, axis: usize, spans: &[Span]| Choice { key: |cost, _, _| -cost, whole: false, ..RIGHT }.choose(cell, axis, spans);
-    assert_eq!(name(check(COST, no_least)), "not-cheapest");
+    assert_eq!(by_choice(Choice { key: |cost, _, _| -cost, whole: false, ..RIGHT }), "not-cheapest");
 }
 
 #[test]

@@ -110,7 +110,10 @@ fn wrong_ranges() {
 fn wrong_ends() {
     assert_eq!(diagnosis(Walk { ends: false, ..RIGHT }), "goes-on");
     assert_eq!(diagnosis(Walk { both: false, ..RIGHT }), "missed");
-    assert_eq!(name(check(|nodes, range, ray| nodes.first().is_some_and(|n| ray.cross(&n.aabb, range).is_some()))), "phantom");
+    assert_eq!(
+        name(check(|nodes, range, ray| nodes.first().is_some_and(|n| ray.cross(&n.aabb, range).is_some()))),
+        "phantom"
+    );
     // Every list, box or not.
     let all = |nodes: &[Node], range: Interval, ray: &mut dyn Asking| {
         nodes.iter().any(|node| match &node.content {
@@ -120,6 +123,7 @@ fn wrong_ends() {
     };
     assert_eq!(name(check(all)), "boxes-ignored");
     // The box of the whole is not asked about.
-    let no_root = |nodes: &[Node], range: Interval, ray: &mut dyn Asking| !nodes.is_empty() && RIGHT.visit(nodes, 0, range, ray);
+    let no_root =
+        |nodes: &[Node], range: Interval, ray: &mut dyn Asking| !nodes.is_empty() && RIGHT.visit(nodes, 0, range, ray);
     assert_eq!(name(check(no_root)), "boxes-ignored");
 }

@@ -76,7 +76,7 @@ impl<const FAULT: usize> TwoLevel for Wrong<FAULT> {
             COARSE => Grid::over(&Part::new(primitives, &inside, *block), 1.0),
             _ => Grid::over(&Part::new(primitives, &inside, *block), DENSITY),
         };
-        Content::Grid(grid.unwrap())
+        Content::Grid(grid.expect("a grid"))
     }
 
     fn walk<P: Primitives, Q: Question, N: Probe>(
@@ -96,7 +96,7 @@ impl<const FAULT: usize> TwoLevel for Wrong<FAULT> {
                 return;
             }
             if FAULT != SILENT {
-                query.visit(u32::try_from(number).unwrap());
+                query.visit(u32::try_from(number).unwrap_or(u32::MAX));
             }
             let is_over = match &contents[number] {
                 Content::List(list) => query.test(list),
@@ -181,10 +181,8 @@ fn two_levels_take_less_than_half_of_the_steps() {
     let mut dice = Dice::new(455);
     for _ in 0..2000 {
         let ray = in_stadium(&mut dice);
-        let [a, b] = [
-            flat.nearest(&ray, Interval::POSITIVE, &mut in_flat),
-            two.nearest(&ray, Interval::POSITIVE, &mut in_two),
-        ];
+        let [a, b] =
+            [flat.nearest(&ray, Interval::POSITIVE, &mut in_flat), two.nearest(&ray, Interval::POSITIVE, &mut in_two)];
         assert_eq!(a, b);
     }
     assert!(in_two.steps() * 2 < in_flat.steps(), "{in_two:?} {in_flat:?}");

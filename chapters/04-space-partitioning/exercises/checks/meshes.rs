@@ -44,6 +44,7 @@ pub(crate) fn through_soup(dice: &mut Dice) -> Ray {
 /// A teapot in a stadium, as one mesh.
 pub(crate) fn stadium() -> Triangles {
     let mut builder = Builder::default();
+    field(&mut builder);
     seats(&mut builder);
     pot(&mut builder);
     triangles(&builder.mesh)
@@ -64,9 +65,13 @@ pub(crate) fn triangles(obj: &ObjMesh) -> Triangles {
     Triangles(Arc::new(Mesh::new(obj, Shading::Smooth).expect("a mesh")))
 }
 
-/// The stadium: rising rings of seats around a field.
-pub(crate) fn seats(builder: &mut Builder) {
+/// The field.
+pub(crate) fn field(builder: &mut Builder) {
     builder.block([-70.0, -1.0, -70.0], [70.0, 0.0, 70.0]);
+}
+
+/// The stadium: rising rings of seats around the field.
+pub(crate) fn seats(builder: &mut Builder) {
     // A point twice makes an edge.
     let twice = |radius: f32, height: f32| [Vec2::new(radius, height); 2];
     let mut profile = Vec::new();
@@ -151,14 +156,15 @@ pub(crate) fn spikes(count: u16) -> Triangles {
     triangles(&builder.mesh)
 }
 
-/// A bush: so many leaves in a ball above the floor.
+/// A bush: so many leaves in a ball above the floor, most of them small and some very large.
 pub(crate) fn bush(leaves: u16) -> Triangles {
     let mut builder = Builder::default();
     let mut chance = Chance::of("bush", 0);
     for _ in 0..leaves {
         let place = chance.in_ball() * Vec3::new(1.0, 0.85, 1.0) + Vec3::Y * 1.05;
-        let along = chance.direction() * chance.between(0.10, 0.16);
-        let across = along.any_orthogonal_vector().normalize_or(Vec3::X) * 0.035;
+        let large = chance.between(0.0, 1.0);
+        let along = chance.direction() * (0.07 + 0.75 * float::pow(large, 12.0));
+        let across = along.any_orthogonal_vector().normalize_or(Vec3::X) * (0.3 * along.length());
         builder.leaf(place, along, across, false);
     }
     triangles(&builder.mesh)

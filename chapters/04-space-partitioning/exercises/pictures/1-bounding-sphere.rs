@@ -83,7 +83,7 @@ pub(crate) fn make(
     scene.light(DirectionalLight::new(Vec3::new(-0.5, 0.8, 0.4), Rgb::new(2.9, 2.7, 2.3)));
     scene.add("floor", square(0.0, 400.0)?, Phong::of(srgb(44, 78, 70), 0.0, 1.0));
     let mut balls = Vec::new();
-    for (x, z) in (-4..=4_i8).flat_map(|x| (-6..=1_i8).map(move |z| (x, z))) {
+    for (x, z) in (-3..=3_i8).flat_map(|x| (-4..=1_i8).map(move |z| (x, z))) {
         let (column, row) = (f32::from(x), f32::from(z));
         // No two pawns alike: some have fallen.
         let turn = column * 37.0 + row * 61.0;

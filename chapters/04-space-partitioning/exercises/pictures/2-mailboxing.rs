@@ -7,7 +7,10 @@ use common::{
 use ray_casting::{pictures::stage::camera, ray::Ray};
 use space_partitioning::{grid::grid, primitives::Primitives};
 
-use super::{Make, steps::Steps};
+use super::{
+    Make,
+    steps::{Scale, Steps},
+};
 use crate::checks::{
     logged::{Logged, logging},
     meshes::spikes,
@@ -32,7 +35,7 @@ pub(crate) fn make<M: Primitives<Entry = <Logged as Primitives>::Entry> + 'stati
     let without = move |ray: &Ray| logging(|| plain.nearest(ray, Interval::POSITIVE, &mut ())).1.len() as u64;
     let structure = grid(mailboxed(triangles))?;
     let with = move |ray: &Ray| logging(|| structure.nearest(ray, Interval::POSITIVE, &mut ())).1.len() as u64;
-    let left = Steps { camera, most, count: without };
-    let right = Steps { camera, most, count: with };
+    let left = Steps { camera, most, scale: Scale::Even, count: without };
+    let right = Steps { camera, most, scale: Scale::Even, count: with };
     Ok(Box::new(Panels::new(2, vec![Box::new(left), Box::new(right)])))
 }

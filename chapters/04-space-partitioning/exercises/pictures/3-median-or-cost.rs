@@ -7,7 +7,10 @@ use common::{
 use ray_casting::{aabb::Aabb, pictures::stage::camera, ray::Ray};
 use space_partitioning::probe::Counts;
 
-use super::{Make, steps::Steps};
+use super::{
+    Make,
+    steps::{Scale, Steps},
+};
 use crate::checks::{
     median_or_cost::{Plane, Span, of_three_axes},
     meshes::stadium,
@@ -19,7 +22,7 @@ pub(crate) const fn picture(make: Make) -> Picture {
     let alt = "A teapot in a stadium twice side by side, each pixel as bright as the number of steps of its ray. On the left the \
                teapot is yellow and white, and stripes of violet cover all that is around it. On the right the teapot is \
                mostly red, and around it is darkness up to the seats.";
-    Picture { samples: 4, ..super::picture("4.3-median-or-cost", alt, make) }
+    super::picture("4.3-median-or-cost", alt, make)
 }
 
 /// The stadium in a kd-tree by the median, and in one by the planes that `cheapest` finds.
@@ -42,5 +45,5 @@ fn panel(settings: &Settings, choose: Choose<'_>) -> Result<Box<dyn Render>, Err
         structure.nearest(ray, Interval::POSITIVE, &mut counts);
         counts.steps()
     };
-    Ok(Box::new(Steps { camera, most: 160.0, count }))
+    Ok(Box::new(Steps { camera, most: 320.0, scale: Scale::Even, count }))
 }

@@ -11,7 +11,10 @@ use ray_casting::{
 };
 use space_partitioning::kd_tree::kd_tree;
 
-use super::{Make, steps::Steps};
+use super::{
+    Make,
+    steps::{Scale, Steps},
+};
 use crate::checks::{
     hierarchy::{Asker, Asking, Node, boxes, median_tree},
     meshes::bush,
@@ -55,5 +58,5 @@ fn panel(settings: &Settings, walk: Walk) -> Result<Box<dyn Render>, Error> {
         walk(&nodes, Interval::POSITIVE, &mut asker);
         asker.tests.len() as u64
     };
-    Ok(Box::new(Steps { camera, most: 80.0, count }))
+    Ok(Box::new(Steps { camera, most: 80.0, scale: Scale::Even, count }))
 }

@@ -12,7 +12,10 @@ use space_partitioning::{
     structure::{Partition, Structure},
 };
 
-use super::{Make, steps::Steps};
+use super::{
+    Make,
+    steps::{Scale, Steps},
+};
 use crate::checks::{
     blocks::{TwoLevel, filled},
     meshes::stadium,
@@ -23,7 +26,7 @@ pub(crate) const fn picture(make: Make) -> Picture {
     let alt = "A teapot in a stadium twice side by side, each pixel as bright as the number of steps of its ray. On the left the \
                teapot is white and the space around it glows in blocks. On the right the teapot is violet and red, and \
                everything around it is dark.";
-    Picture { samples: 4, ..super::picture("4.5-two-level-grid", alt, make) }
+    super::picture("4.5-two-level-grid", alt, make)
 }
 
 /// Counts the steps of rays.
@@ -41,8 +44,8 @@ fn count<P: Primitives + 'static, T: Partition<P> + 'static>(
 pub(crate) fn make<T: TwoLevel + 'static>(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let camera = camera([0.8, 1.9, 4.6], [0.05, 0.85, 0.0], 42.0, &settings.values)?;
     let triangles = stadium();
-    let most = 400.0;
-    let left = Steps { camera, most, count: count(grid(triangles.clone())?) };
-    let right = Steps { camera, most, count: count(filled::<_, T>(triangles, 12)) };
+    let most = 6000.0;
+    let left = Steps { camera, most, scale: Scale::CubeRoot, count: count(grid(triangles.clone())?) };
+    let right = Steps { camera, most, scale: Scale::CubeRoot, count: count(filled::<_, T>(triangles, 7)) };
     Ok(Box::new(Panels::new(2, vec![Box::new(left), Box::new(right)])))
 }

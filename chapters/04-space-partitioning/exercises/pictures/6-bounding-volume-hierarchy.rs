@@ -14,10 +14,13 @@ use ray_casting::{
 use shadows::{direct_light::DirectLight, offset::Offset};
 use space_partitioning::{primitives::Primitives, query::Found, scenes::builder::Builder, triangles::Triangles};
 
-use super::{Make, steps::Steps};
+use super::{
+    Make,
+    steps::{Scale, Steps},
+};
 use crate::checks::{
     hierarchy::{Asker, Asking, Node, boxes},
-    meshes::{pot, seats, triangles},
+    meshes::{field, pot, seats, triangles},
 };
 
 /// The picture, made by `make`.
@@ -67,21 +70,24 @@ pub(crate) fn make(
     build: fn(&[Aabb]) -> Vec<Node>,
     nearest: Nearest,
 ) -> Result<Box<dyn Render>, Error> {
-    let camera = camera([0.8, 1.9, 4.6], [0.05, 0.85, 0.0], 42.0, &settings.values)?;
-    let [mut teapot, mut stadium, mut whole] = [(); 3].map(|()| Builder::default());
+    let camera = camera([0.8, 1.6, 4.6], [0.05, 1.15, 0.0], 42.0, &settings.values)?;
+    let [mut teapot, mut ground, mut stadium, mut whole] = [(); 4].map(|()| Builder::default());
     pot(&mut teapot);
+    field(&mut ground);
     seats(&mut stadium);
+    field(&mut whole);
     seats(&mut whole);
     pot(&mut whole);
     let mut scene = Scene::new();
     scene.ambient = Rgb::new(0.30, 0.36, 0.46);
     scene.surround(srgb(150, 186, 222));
     scene.light(DirectionalLight::new(common::Vec3::new(0.6, 0.7, 0.5), Rgb::new(2.6, 2.3, 1.8)));
-    scene.add("stadium", Tree::new(&stadium, build, nearest), Phong::of(srgb(112, 138, 96), 0.0, 1.0));
+    scene.add("field", Tree::new(&ground, build, nearest), Phong::of(srgb(104, 140, 84), 0.0, 1.0));
+    scene.add("stadium", Tree::new(&stadium, build, nearest), Phong::of(srgb(176, 170, 160), 0.0, 1.0));
     scene.add("teapot", Tree::new(&teapot, build, nearest), Phong::of(srgb(236, 232, 224), 0.5, 60.0));
     let left = DirectLight { scene, camera, offset: Offset::Following };
     let tree = Tree::new(&whole, build, nearest);
     let count = move |ray: &Ray| tree.find(ray, Interval::POSITIVE).1;
-    let right = Steps { camera, most: 160.0, count };
+    let right = Steps { camera, most: 280.0, scale: Scale::Even, count };
     Ok(Box::new(Panels::new(2, vec![Box::new(left), Box::new(right)])))
 }

@@ -34,5 +34,5 @@ pub(crate) fn chapter(pictures: &'static [Picture]) -> Chapter {
 
 /// A picture with a camera that can be moved.
 const fn picture(name: &'static str, alt: &'static str, make: Make) -> Picture {
-    Picture { name, alt, knobs: &ORBIT, size: Size::of::<960, 540>(), samples: 8, takes_mesh: false, make }
+    Picture { name, alt, knobs: &ORBIT, size: Size::of::<960, 540>(), samples: 4, takes_mesh: false, make }
 }

@@ -3,10 +3,20 @@
 use common::{
     Rgb, Stream,
     color::srgb,
+    float,
     picture::{FilmPoint, Integrator},
     story::Story,
 };
 use ray_casting::{camera::Camera, local_illumination::tell_ray, ray::Ray};
+
+/// How bright a share of the most steps is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Scale {
+    /// Twice as many steps are twice as bright.
+    Even,
+    /// Eight times as many are: so that few and very many are both to be seen.
+    CubeRoot,
+}
 
 /// Shows steps as a color.
 pub(super) struct Steps<F> {
@@ -14,6 +24,8 @@ pub(super) struct Steps<F> {
     pub(super) camera: Camera,
     /// What so many steps are, is white.
     pub(super) most: f32,
+    /// How bright a share of that is.
+    pub(super) scale: Scale,
     /// Counts the steps of a ray.
     pub(super) count: F,
 }
@@ -25,7 +37,8 @@ impl<F: Fn(&Ray) -> u64 + Send + Sync> Integrator for Steps<F> {
         tell_ray(story, &ray);
         let steps = (self.count)(&ray);
         story.tell(|| format!("takes {steps} steps"));
-        heat(steps as f32 / self.most)
+        let share = steps as f32 / self.most;
+        heat(if self.scale == Scale::CubeRoot { float::cbrt(share) } else { share })
     }
 }
 

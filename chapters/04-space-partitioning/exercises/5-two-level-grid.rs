@@ -50,7 +50,7 @@
 //! ## When you are done
 //!
 //! `cargo exercise 4.5` checks your answer and renders a teapot in a stadium. The brighter a pixel, the more steps its ray
-//! took: on the left in a flat grid, on the right in yours.
+//! took (eight times as many are twice as bright): on the left in a flat grid, on the right in yours.
 
 use std::process::ExitCode;
 

@@ -5,7 +5,8 @@
 //! one, the sooner it is done.
 //!
 //! Where is that? In a bush, leaves are everywhere alike. If a ray stays in one half of the bush for two meters and in the other
-//! one for ten centimeters, look for a leaf on the two meters.
+//! one for ten centimeters, look for a leaf on the two meters. (And a small box may hold one small leaf only, where a large one
+//! holds a large leaf.) Where a few large walls are all that there is to hit, this rule helps little.
 //!
 //! ## Your task
 //!

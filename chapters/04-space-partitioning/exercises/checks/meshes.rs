@@ -156,14 +156,14 @@ pub(crate) fn spikes(count: u16) -> Triangles {
     triangles(&builder.mesh)
 }
 
-/// A bush: so many leaves in a ball above the floor, most of them small and some very large.
+/// A bush: so many leaves in a ball above the floor, most of them small and some large.
 pub(crate) fn bush(leaves: u16) -> Triangles {
     let mut builder = Builder::default();
     let mut chance = Chance::of("bush", 0);
     for _ in 0..leaves {
         let place = chance.in_ball() * Vec3::new(1.0, 0.85, 1.0) + Vec3::Y * 1.05;
-        let large = chance.between(0.0, 1.0);
-        let along = chance.direction() * (0.07 + 0.75 * float::pow(large, 12.0));
+        let length = if chance.happens(0.2) { 0.7 } else { 0.1 };
+        let along = chance.direction() * length;
         let across = along.any_orthogonal_vector().normalize_or(Vec3::X) * (0.3 * along.length());
         builder.leaf(place, along, across, false);
     }

@@ -18,8 +18,8 @@ use crate::checks::{
 
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {
-    let alt = "A ball of long thin spikes twice side by side. Each pixel is as bright as the number of tests of its ray. On the \
-               left most of the ball glows white and yellow, on the right it is red and violet.";
+    let alt = "A ball of long thin spikes twice side by side. Each pixel is as bright as the number of tests of its ray. On the left the middle of \
+               the ball glows red, orange and white, on the right it is mostly violet.";
     super::picture("4.2-mailboxing", alt, make)
 }
 

@@ -19,9 +19,9 @@ use crate::checks::{
 
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {
-    let alt = "A teapot in a stadium twice side by side, each pixel as bright as the number of steps of its ray. On the left the \
-               teapot is yellow and white, and stripes of violet cover all that is around it. On the right the teapot is \
-               mostly red, and around it is darkness up to the seats.";
+    let alt = "A teapot in a stadium twice side by side, each pixel as bright as the number of steps of its ray. On the left a white and orange \
+               glow stands behind the teapot, which is red and violet. On the right all is dark violet, and only the teapot's outline is \
+               red.";
     super::picture("4.3-median-or-cost", alt, make)
 }
 

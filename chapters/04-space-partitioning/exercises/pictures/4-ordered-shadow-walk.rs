@@ -23,9 +23,8 @@ use crate::checks::{
 
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {
-    let alt = "A round bush of leaves on a floor, twice side by side. Each point is as bright as the number of tests that it took \
-               to find out whether it lies in shadow. The shadow on the floor and the shaded side of the bush glow yellow on \
-               the left, and only violet and red on the right.";
+    let alt = "A bush of small and large pointed leaves on a floor, twice side by side. Each point is as bright as the number of tests that it took \
+               to find out whether it lies in shadow. The shadow on the floor is brighter on the left than on the right.";
     super::picture("4.4-ordered-shadow-walk", alt, make)
 }
 

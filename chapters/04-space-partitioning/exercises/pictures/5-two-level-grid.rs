@@ -23,10 +23,10 @@ use crate::checks::{
 
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {
-    let alt = "A teapot in a stadium twice side by side, each pixel as bright as the number of steps of its ray. On the left the \
-               teapot is white and the space around it glows in blocks. On the right the teapot is violet and red, and \
-               everything around it is dark.";
-    super::picture("4.5-two-level-grid", alt, make)
+    let alt = "A teapot in a stadium twice side by side, each pixel as bright as the cube root of the number of steps of its ray. On the left all is \
+               orange and pale, in the shape of a few large cells. On the right all is dark violet, but for a few small reddish cells around \
+               the teapot.";
+    Picture { samples: 2, ..super::picture("4.5-two-level-grid", alt, make) }
 }
 
 /// Counts the steps of rays.

@@ -25,9 +25,9 @@ use crate::checks::{
 
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {
-    let alt = "A white teapot on the green field of a stadium in the afternoon sun, with gray rings of seats all around. On the \
-               right the same view by the number of steps of each ray: dark in the field, violet along the seats, and red and \
-               yellow where rays pass close by the teapot's rim, spout and handle.";
+    let alt = "A white teapot on the green field of a stadium, with gray rings of seats behind it and a strip of blue sky. On the right the same view \
+               by the number of steps of each ray: violet and red for the seats and the field, orange for the teapot, and pale along its rim and \
+               in its handle.";
     super::picture("4.6-bounding-volume-hierarchy", alt, make)
 }
 

@@ -166,7 +166,7 @@ fn wrong_places() {
     assert_eq!(by_choice(Choice { whole: false, ..RIGHT }), "not-worth-it");
     let median: Choice = Choice { key: |_, a, b| a.abs_diff(b) as f32, ..RIGHT };
     assert_eq!(by_choice(median), "median");
-    assert_eq!(by_choice(Choice { key: |cost, _, _| -cost, ..RIGHT }), "none-found");
+    assert_eq!(by_choice(Choice { key: |cost, _, _| -cost, ..RIGHT }), "not-cheapest");
     assert_eq!(by_choice(Choice { key: |cost, _, _| -cost, whole: false, ..RIGHT }), "not-cheapest");
 }
 

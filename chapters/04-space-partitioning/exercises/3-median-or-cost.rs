@@ -43,7 +43,7 @@
 //!   for both. One that lies *in* the plane, with `begin` and `end` both at `position`, counts for the lower half.
 //! - The result is the plane of the least cost, with its two numbers and its cost. If several have the same cost, any of them.
 //! - It is `None` if no plane costs less than to leave the cell whole, or if there is none.
-//! - It must be fast: there are up to 200,000 spans, and a loop over all of them for every plane would take a minute. Sort them. Then a
+//! - It must be fast: there are up to 400,000 spans, and a loop over all of them for every plane would take minutes. Sort them. Then a
 //!   plane that sweeps over the cell meets begins and ends in their order, and only has to count on. The time is in proportion
 //!   to n·log n.
 //!

@@ -13,6 +13,7 @@ use crate::{
     primitives::Primitives,
     probe::Probe,
     query::{Query, Question},
+    rounding::SLACK,
     slabs::Slabs,
     structure::{Cell, Contents, Partition, Structure, StructureError},
 };
@@ -137,6 +138,11 @@ impl Cells {
         index
     }
     // ANCHOR_END: plane
+
+    /// A ray sees the corners of a triangle a little beside their places: by less than this, unless it is far away.
+    pub(crate) fn hair(&self) -> f32 {
+        self.aabb.min.abs().max(self.aabb.max.abs()).max_element() * SLACK
+    }
 
     /// The number of a cell.
     #[inline]

@@ -13,14 +13,15 @@ pub const SLACK: f32 = 16.0 * f32::EPSILON;
 #[inline]
 #[must_use]
 pub fn before(t: f32) -> f32 {
-    t - t.abs() * SLACK
+    // A product, so that infinity stays what it is.
+    t * (1.0 - SLACK.copysign(t))
 }
 
 /// A little after `t`.
 #[inline]
 #[must_use]
 pub fn after(t: f32) -> f32 {
-    t + t.abs() * SLACK
+    t * (1.0 + SLACK.copysign(t))
 }
 
 // ANCHOR: lesser
@@ -67,6 +68,9 @@ mod tests {
             assert!(f64::from(down(x)) <= x && x <= f64::from(up(x)));
         }
         assert_eq!((down(0.5), up(0.5)), (0.5, 0.5));
+        for t in [f32::INFINITY, f32::NEG_INFINITY] {
+            assert_eq!((before(t), after(t)), (t, t));
+        }
         assert!(before(-1.0) < -1.0 && before(1.0) < 1.0 && after(-1.0) > -1.0 && after(1.0) > 1.0);
     }
 

@@ -127,15 +127,15 @@ impl Reach {
         cells.number(self.0.map(|[first, _]| first)) as usize
     }
 
-    /// The space that the cells take.
-    fn aabb(&self, cells: &Cells) -> Aabb {
+    /// The space that the cells take, and a hair more on all sides.
+    fn aabb(&self, cells: &Cells, hair: f32) -> Aabb {
         let [first, last] = [0, 1].map(|end| self.0.map(|ends| ends[end]));
-        Aabb { min: cells.cell(first).min, max: cells.cell(last).max }
+        Aabb { min: cells.cell(first).min - hair, max: cells.cell(last).max + hair }
     }
 
     /// The boxes that touch it.
     fn touched(&self, cells: &Cells, boxes: &[(u32, Aabb)]) -> impl Iterator<Item = (u32, Aabb)> {
-        let Aabb { min, max } = self.aabb(cells);
+        let Aabb { min, max } = self.aabb(cells, 0.0);
         // Blocks are layers: only z tells them apart.
         boxes.iter().copied().filter(move |(_, aabb)| aabb.min.z <= max.z && aabb.max.z >= min.z)
     }
@@ -171,7 +171,7 @@ fn for_each_cell<P: Primitives>(
     // Of a primitive that sticks out of the block, only the part inside counts.
     let part = match here == whole || whole.count() <= FEW {
         true => Some(aabb),
-        false => overlap(&aabb, &here.aabb(cells)).and_then(|inside| primitives.clipped(number, &inside)),
+        false => overlap(&aabb, &here.aabb(cells, cells.hair())).and_then(|inside| primitives.clipped(number, &inside)),
     };
     if let Some(part) = part {
         list_in(primitives, cells, number, part, Reach::of(cells, &part).within(here), tell);
@@ -204,8 +204,9 @@ fn list_in<P: Primitives>(
     let middle = first + (last - first) / 2;
     let position = cells.plane(axis, middle + 1);
     let [mut lower, mut upper] = [aabb; 2];
-    lower.max[axis] = position;
-    upper.min[axis] = position;
+    // A ray along an axis sees corners a little beside their places: the halves overlap by more than that.
+    lower.max[axis] = position + cells.hair();
+    upper.min[axis] = position - cells.hair();
     for (half, side) in [(lower, [first, middle]), (upper, [middle + 1, last])] {
         if let Some(part) = primitives.clipped(number, &half) {
             let part_reach = Reach::of(cells, &part).within(reach.with(axis, side));

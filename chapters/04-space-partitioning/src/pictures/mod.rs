@@ -4,4 +4,4 @@ use common::picture::Chapter;
 
 /// Chapter 4 with all its pictures.
 pub const CHAPTER: Chapter =
-    Chapter { number: 4, name: "space-partitioning", title: "Space partitioning", pictures: &[] };
+    Chapter { number: 4, name: "space-partitioning", title: "Space partitioning", pictures: &[], reports: &[] };

@@ -28,8 +28,8 @@ pub struct Task<'t> {
     pub settings: &'t Settings,
     /// Seed of all random numbers.
     pub seed: u64,
-    /// Number of threads; 0 for as many as there are cores.
+    /// Number of threads, 0 for as many as there are cores. [`crate::parallel`] keeps to it by itself.
     pub threads: usize,
     /// Is told each step before it begins.
-    pub progress: &'t dyn Fn(&str),
+    pub progress: &'t (dyn Fn(&str) + Sync),
 }

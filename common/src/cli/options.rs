@@ -14,8 +14,6 @@ pub(super) fn command(chapter: &Chapter) -> Command {
     };
     let flag = |name: &'static str, help: &'static str| Arg::new(name).long(name).action(ArgAction::SetTrue).help(help);
     let first = chapter.pictures.first().map_or("", |p| p.name);
-    let reports = chapter.reports.iter().map(|report| format!("\n  {name} --{:<39}{}", report.name, report.what));
-    let reports: String = reports.collect();
     Command::new(name)
         .bin_name(name)
         .version(env!("CARGO_PKG_VERSION"))
@@ -27,10 +25,10 @@ pub(super) fn command(chapter: &Chapter) -> Command {
              {name} {first} --size 1920x1080 --samples 64 --output poster.png\n  \
              {name} {first} --set yaw=40 --set pitch=10\n  \
              {name} {first} --pixel 300,200 --samples 1    why this pixel has its color\n  \
-             {name} {first} --output - --no-window | other-program{reports}"
+             {name} {first} --output - --no-window | other-program"
         ))
         .arg(Arg::new("picture").value_name("PICTURE").help("Which picture; the chapter's cover if none is named"))
-        .arg(flag("list", "List the pictures with their knobs"))
+        .arg(flag("list", "List the pictures and reports with their knobs"))
         .args(chapter.reports.iter().map(report))
         .arg(
             option(
@@ -55,7 +53,8 @@ pub(super) fn command(chapter: &Chapter) -> Command {
 
 /// The option that asks for a report.
 fn report(report: &'static Report) -> Arg {
-    let option = Arg::new(report.name).long(report.name).help(report.what);
+    let option =
+        Arg::new(report.name).long(report.name).help(format!("{} (a report; --list shows its knobs)", report.what));
     match report.subject {
         None => option.action(ArgAction::SetTrue),
         Some(knob) => option.value_name(knob.name).value_parser(value_parser!(String)),

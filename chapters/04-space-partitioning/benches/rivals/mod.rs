@@ -1,0 +1,72 @@
+//! Those who are compared: each builds a structure over the same triangles and answers the same rays.
+
+mod bvh_crate;
+mod embree;
+mod obvhs_crate;
+mod ours;
+
+use std::{sync::Arc, time::Instant};
+
+use ray_casting::{mesh::Mesh, triangle::Triangle};
+use space_partitioning::workload::Cast;
+
+/// Why a rival cannot take part, in words.
+pub(crate) type Failure = String;
+
+/// What all of them are given.
+pub(crate) struct Given {
+    /// The triangles.
+    pub(crate) mesh: Arc<Mesh>,
+    /// Rays whose nearest hits are wanted.
+    pub(crate) rays: Vec<Cast>,
+}
+
+impl Given {
+    fn triangles(&self) -> Vec<Triangle> {
+        self.mesh.triangles().collect()
+    }
+}
+
+/// One who takes part.
+pub(crate) trait Rival {
+    /// What to call it.
+    fn name(&self) -> &'static str;
+
+    /// Build the structure anew, with all threads. Returns seconds.
+    fn build(&mut self) -> Result<f64, Failure>;
+
+    /// Memory of what was built, in bytes.
+    fn bytes(&self) -> Option<usize>;
+
+    /// Find the nearest hit of every ray, in one thread. Returns seconds.
+    fn trace(&mut self) -> Result<f64, Failure>;
+
+    /// The `t` of the nearest hit of every ray, infinite where there is none.
+    fn answers(&mut self) -> Result<Vec<f32>, Failure>;
+}
+
+/// Everybody: the kd-tree first, since all others are compared with it. Whoever is not installed is told at once.
+pub(crate) fn all(given: &Arc<Given>) -> Vec<Box<dyn Rival>> {
+    let mut rivals = ours::all(given);
+    rivals.push(Box::new(obvhs_crate::Obvhs::new(given)));
+    rivals.push(Box::new(bvh_crate::BvhCrate::new(given)));
+    match embree::Embree::new(given) {
+        Ok(embree) => rivals.push(Box::new(embree)),
+        Err(why) => println!("Embree takes no part: {why}"),
+    }
+    rivals
+}
+
+/// How long something takes, in seconds, and what comes out.
+fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
+    let start = Instant::now();
+    let result = work();
+    (start.elapsed().as_secs_f64(), result)
+}
+
+/// How long it takes to find the nearest hit of all rays.
+fn traced(rays: &[Cast], mut nearest: impl FnMut(&Cast) -> f32) -> f64 {
+    let (seconds, sum) = timed(|| rays.iter().map(&mut nearest).filter(|t| t.is_finite()).count());
+    std::hint::black_box(sum);
+    seconds
+}

@@ -75,21 +75,22 @@ fn spread(sorted: &[f64]) -> String {
 impl fmt::Display for Results {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(kd_tree) = self.measured.first() else { return Ok(()) };
-        writeln!(f, "\n{:10}{:>9}{:>24}{:>12}", "Building", "s", "kd-tree's s / its s", "B/triangle")?;
+        writeln!(f, "\n{:12}{:>9}{:>24}{:>12}", "Building", "s", "speed / kd-tree's", "B/triangle")?;
         for rival in &self.measured {
             let ratios = spread(&ratios(&kd_tree.build, &rival.build));
             let bytes = rival.bytes.map_or("-".into(), |bytes| format!("{:.0}", bytes as f64 / self.triangles as f64));
-            writeln!(f, "{:10}{:>9.3}{ratios:>24}{bytes:>12}", rival.name, median(&rival.build))?;
+            writeln!(f, "{:12}{:>9.3}{ratios:>24}{bytes:>12}", rival.name, median(&rival.build))?;
         }
-        writeln!(f, "\n{:10}{:>9}{:>24}{:>12}{:>12}", "Tracing", "Mrays/s", "its s / kd-tree's s", "hits", "other t")?;
+        let heads = ["Mrays/s", "speed / kd-tree's", "hits", "other t"];
+        writeln!(f, "\n{:12}{:>9}{:>24}{:>12}{:>12}", "Tracing", heads[0], heads[1], heads[2], heads[3])?;
         for rival in &self.measured {
-            let ratios = spread(&ratios(&rival.trace, &kd_tree.trace));
+            let ratios = spread(&ratios(&kd_tree.trace, &rival.trace));
             let speed = self.rays as f64 / 1e6 / median(&rival.trace);
             let wrong = if rival.agrees { "" } else { "  DISAGREES" };
             let Measured { name, hits, exceptions, .. } = rival;
-            writeln!(f, "{name:10}{speed:>9.3}{ratios:>24}{hits:>12}{exceptions:>12}{wrong}")?;
+            writeln!(f, "{name:12}{speed:>9.3}{ratios:>24}{hits:>12}{exceptions:>12}{wrong}")?;
         }
-        writeln!(f, "{:10}{:>9.3}  (kd-tree)", "Occlusion", median(&self.occluded) / 1e6)?;
+        writeln!(f, "{:12}{:>9.3}  (shadow rays, kd-tree)", "Occlusion", median(&self.occluded) / 1e6)?;
         self.bounds(f)
     }
 }
@@ -97,9 +98,10 @@ impl fmt::Display for Results {
 impl Results {
     /// What was asked of the kd-tree, and what it reached.
     fn bounds(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "\n{:44}{:>8}{:>24}", "Bound, as ratios in the same round", "asked", "reached")?;
-        let [kd_tree, grid, octree, obvhs, bvh, embree] = ["kd-tree", "grid", "octree", "obvhs", "bvh", "Embree"]
-            .map(|name| self.measured.iter().find(|m| m.name == name));
+        writeln!(f, "\n{:48}{:>8}{:>24}", "Bound, as ratios in the same round", "asked", "reached")?;
+        let [kd_tree, grid, octree, obvhs, bvh, pruned, embree] =
+            ["kd-tree", "grid", "octree", "obvhs", "bvh", "bvh, pruned", "Embree"]
+                .map(|name| self.measured.iter().find(|m| m.name == name));
         type Times = fn(&Measured) -> &Vec<f64>;
         let (build, trace): (Times, Times) = (|m| &m.build, |m| &m.trace);
         for (what, times, above, below, at_least, asked) in [
@@ -108,16 +110,17 @@ impl Results {
             ("building: kd-tree's time / octree's", build, kd_tree, octree, true, 3.0),
             ("tracing: kd-tree's speed / Embree's (aim 0.45)", trace, embree, kd_tree, true, 0.3),
             ("tracing: kd-tree's speed / bvh's", trace, bvh, kd_tree, true, 2.0),
+            ("tracing: kd-tree's speed / bvh's, pruned", trace, pruned, kd_tree, true, 2.0),
         ] {
             let sign = if at_least { ">=" } else { "<=" };
             let Some((above, below)) = above.zip(below) else {
-                writeln!(f, "{what:44}{:>8}{:>24}", format!("{sign} {asked}"), "not installed")?;
+                writeln!(f, "{what:48}{:>8}{:>24}", format!("{sign} {asked}"), "not installed")?;
                 continue;
             };
             let ratios = ratios(times(above), times(below));
             let reached = median(&ratios);
             let missed = if (reached >= asked) == at_least { "" } else { "  missed" };
-            writeln!(f, "{what:44}{:>8}{:>24}{missed}", format!("{sign} {asked}"), spread(&ratios))?;
+            writeln!(f, "{what:48}{:>8}{:>24}{missed}", format!("{sign} {asked}"), spread(&ratios))?;
         }
         Ok(())
     }

@@ -24,7 +24,7 @@ pub(super) struct Obvhs {
 impl Obvhs {
     pub(super) fn new(given: &Arc<Given>) -> Self {
         let triangle = |corners: [Vec3; 3]| {
-            let [a, b, c] = corners.map(Vec3::to_array);
+            let [a, b, c] = corners.map(|corner| corner.to_array());
             Triangle { v0: a.into(), v1: b.into(), v2: c.into() }
         };
         let triangles = given.triangles().into_iter().map(|t| triangle(t.corners)).collect();

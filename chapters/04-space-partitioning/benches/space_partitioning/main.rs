@@ -1,19 +1,16 @@
 //! How fast the structures of chapter 4 are, compared with others: `cargo bench -p space-partitioning`.
 //!
 //! It takes no benchmarking library. Single rounds scatter by 10 to 25 %, and more where other programs run: what was
-//! measured a minute ago, says nothing about now. So all rivals do the same in turn, round after round; each round gives a
+//! measured a minute ago says nothing about now. So all rivals do the same in turn, round after round; each round gives a
 //! ratio of two times that were measured side by side, and the median of these ratios is what is compared with a bound.
 //! Bounds are told, never enforced: whether the machine is busy is nobody's fault.
 
-#[path = "rivals/options.rs"]
 mod options;
-#[path = "rivals/results.rs"]
 mod results;
 mod rivals;
 
 use std::{process::ExitCode, sync::Arc, time::Instant};
 
-use ray_casting::shape::Shape as _;
 use space_partitioning::{
     choice::{Choice, Countable},
     scenes::GENERATORS,

@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use space_partitioning::choice::{Choice, Countable};
+use space_partitioning::{
+    choice::{Choice, Countable},
+    workload::Cast,
+};
 
 use super::{Failure, Given, Rival, timed, traced};
 
@@ -48,6 +51,6 @@ impl Rival for Ours {
     }
 }
 
-fn nearest(structure: &dyn Countable, cast: &space_partitioning::workload::Cast) -> f32 {
+fn nearest(structure: &dyn Countable, cast: &Cast) -> f32 {
     structure.find(&cast.ray, cast.range).map_or(f32::INFINITY, |found| found.t)
 }

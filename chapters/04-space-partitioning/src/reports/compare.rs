@@ -34,7 +34,7 @@ fn make(task: &Task) -> Result<String, Error> {
     #[expect(clippy::cast_possible_truncation, reason = "the knob's range is smaller")]
     let rays = task.settings.values.index(&RAYS) as u32;
     let comparison = Comparison::new(&viewed, rays, task.seed, task.progress)?;
-    Ok(format!("{title}, {} triangles\n\n{comparison}", comparison.triangles))
+    Ok(format!("{title}; triangles: {}\n\n{comparison}", comparison.triangles))
 }
 
 /// What is looked at, and what to call it.

@@ -65,10 +65,11 @@ fn median(numbers: &[f64]) -> f64 {
 
 /// Median, least and greatest of sorted numbers.
 fn spread(sorted: &[f64]) -> String {
+    let shown = |x: f64| if x < 1.0 { format!("{x:.3}") } else { format!("{x:.2}") };
     match sorted {
         [] => "-".into(),
-        [least, .., most] => format!("{:.2} ({least:.2}-{most:.2})", median(sorted)),
-        [only] => format!("{only:.2}"),
+        [only] => shown(*only),
+        [least, .., most] => format!("{} ({}-{})", shown(median(sorted)), shown(*least), shown(*most)),
     }
 }
 

@@ -21,6 +21,7 @@ pub(crate) const CHAPTERS: &[Chapter] = &[Chapter {
     name: "toy",
     title: "Toy",
     pictures: &[picture("ball", "A white ball."), picture("box", "A <box>.")],
+    reports: &[],
 }];
 
 /// A picture that is never made.

@@ -20,6 +20,9 @@ pub enum Error {
     /// The picture cannot be made of what it was given.
     #[error("the picture cannot be made: {0}")]
     Picture(String),
+    /// The report cannot be made of what it was given.
+    #[error("the report cannot be made: {0}")]
+    Report(String),
     /// A mesh file could not be used.
     #[error("{file}: {error}")]
     Obj {

@@ -22,6 +22,7 @@ pub mod parallel;
 pub mod picture;
 pub mod random;
 pub mod renderer;
+pub mod report;
 pub mod story;
 #[cfg(feature = "window")]
 pub mod window;

@@ -1,5 +1,26 @@
 //! Several things at once, where there are threads.
 
+/// Do something with that many threads; 0 for as many as there are cores.
+pub fn with_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    // Threads that cannot be had are no reason to fail: those that there are do the work.
+    #[cfg(feature = "threads")]
+    if let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+        return pool.install(work);
+    }
+    #[cfg(not(feature = "threads"))]
+    let _ = threads;
+    work()
+}
+
+/// How many things are done at once.
+#[must_use]
+pub fn threads() -> usize {
+    #[cfg(feature = "threads")]
+    return rayon::current_num_threads();
+    #[cfg(not(feature = "threads"))]
+    1
+}
+
 /// Do both, side by side if the feature `threads` is on and a core is free.
 pub fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
     #[cfg(feature = "threads")]

@@ -10,10 +10,11 @@ use crate::{
     knob::{Knob, Step, Values},
     obj::ObjMesh,
     random::Stream,
+    report::Report,
     story::{Story, Told, Untold},
 };
 
-/// A chapter of the course: its name and its pictures, the cover first.
+/// A chapter of the course: its name, its pictures, the cover first, and its reports.
 #[derive(Clone, Copy, Debug)]
 pub struct Chapter {
     /// Number in the course, from 1.
@@ -24,6 +25,8 @@ pub struct Chapter {
     pub title: &'static str,
     /// Its pictures. The first one is the cover, and is what the chapter renders when nothing is said.
     pub pictures: &'static [Picture],
+    /// What it tells in words and numbers.
+    pub reports: &'static [Report],
 }
 
 impl Chapter {
@@ -55,7 +58,7 @@ pub struct Picture {
 }
 // ANCHOR_END: picture
 
-/// What a user has chosen for a picture.
+/// What a user has chosen for a picture or a report.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     /// Values of the knobs.

@@ -5,6 +5,7 @@ use glam::Vec2;
 use crate::{
     color::Rgb,
     film::{Film, Size, Tile},
+    parallel,
     picture::{FilmPoint, Render},
     random::Stream,
     story::Told,
@@ -52,12 +53,7 @@ pub enum Ending {
 ///
 /// The result depends on the picture, the size, the samples and the seed; not on the threads.
 pub fn render(picture: &dyn Render, film: &mut Film, plan: &Plan, watch: &dyn Watch) -> Ending {
-    // Threads that cannot be had are no reason to fail: the calling thread works alone then.
-    #[cfg(feature = "threads")]
-    if let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(plan.threads).build() {
-        return pool.install(|| passes(picture, film, plan, watch));
-    }
-    passes(picture, film, plan, watch)
+    parallel::with_threads(plan.threads, || passes(picture, film, plan, watch))
 }
 
 /// Pass after pass over the whole film.

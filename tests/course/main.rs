@@ -25,6 +25,7 @@ mod pictures;
 mod rays;
 mod recursion;
 mod refraction;
+mod reports;
 mod said_commands;
 mod shadows;
 mod shapes;

@@ -217,7 +217,8 @@ mod tests {
         make: |_| Ok(Box::new(Noise)),
     };
     const BROKEN: Picture = Picture { name: "broken", make: |_| Err(Error::Picture("no".into())), ..NOISE };
-    const CHAPTERS: &[Chapter] = &[Chapter { number: 1, name: "toy", title: "Toy", pictures: &[BROKEN, NOISE] }];
+    const CHAPTERS: &[Chapter] =
+        &[Chapter { number: 1, name: "toy", title: "Toy", pictures: &[BROKEN, NOISE], reports: &[] }];
 
     #[test]
     fn workers_together_make_the_picture_of_the_command_line() {

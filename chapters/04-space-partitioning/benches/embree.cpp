@@ -1,18 +1,21 @@
 // The driver for Embree 3, beside the benchmark: it answers the same rays about the same triangles.
 //
-// The benchmark compiles it where Embree 3 is installed (Debian: libembree-dev), gives it a file, and tells it by lines on
+// The benchmark compiles it where Embree 3 is installed (Debian: libembree-dev), gives it two files, and tells it by lines on
 // standard input what to do:
 //   build   builds the tree with as many threads as there are cores
 //   trace   traces all rays in one thread
-// Each is answered by a line: seconds, rays that hit, sum of all t.
+//   write   the same, and writes the t of each ray to the second file, infinity where nothing is hit
+// Each is answered by a line: seconds (of the clock for a build, of the processor for rays), rays that hit, bytes in use.
 //
-// The file, little-endian: number of triangles (u32), number of rays (u32), 9 floats for each triangle, 6 for each ray.
+// The first file, little-endian: number of triangles (u32), number of rays (u32), 9 floats for each triangle, 6 for each ray.
 
 #include <embree3/rtcore.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -22,6 +25,20 @@
 struct Ray {
     float origin[3], direction[3];
 };
+
+static std::atomic<int64_t> bytes_in_use{0};
+
+static bool watch_memory(void*, ssize_t bytes, bool) {
+    bytes_in_use += bytes;
+    return true;
+}
+
+// Time that the processor has spent on this thread: whatever else the machine does is not in it.
+static double processor_seconds() {
+    timespec time;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
 
 static RTCScene build(RTCDevice device, const std::vector<float>& corners) {
     RTCScene scene = rtcNewScene(device);
@@ -41,8 +58,8 @@ static RTCScene build(RTCDevice device, const std::vector<float>& corners) {
 }
 
 int main(int count, char** arguments) {
-    if (count != 2) {
-        std::fprintf(stderr, "error: expected one file of triangles and rays\n");
+    if (count != 3) {
+        std::fprintf(stderr, "error: expected a file of triangles and rays, and one for the answers\n");
         return 2;
     }
     std::ifstream file(arguments[1], std::ios::binary);
@@ -58,19 +75,22 @@ int main(int count, char** arguments) {
     }
 
     RTCDevice device = rtcNewDevice(nullptr);
+    rtcSetDeviceMemoryMonitorFunction(device, watch_memory, nullptr);
+    std::vector<float> answers(rays.size());
     RTCScene scene = nullptr;
     std::string word;
     while (std::cin >> word) {
         const auto start = std::chrono::steady_clock::now();
+        const double processor_start = processor_seconds();
         uint64_t hits = 0;
-        double sum = 0.0;
         if (word == "build") {
             if (scene) rtcReleaseScene(scene);
             scene = build(device, corners);
         } else if (scene) {
             RTCIntersectContext context;
             rtcInitIntersectContext(&context);
-            for (const Ray& ray : rays) {
+            for (size_t i = 0; i < rays.size(); i++) {
+                const Ray& ray = rays[i];
                 RTCRayHit query = {};
                 query.ray.org_x = ray.origin[0];
                 query.ray.org_y = ray.origin[1];
@@ -82,14 +102,18 @@ int main(int count, char** arguments) {
                 query.ray.mask = -1;
                 query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
                 rtcIntersect1(scene, &context, &query);
-                if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
-                    hits++;
-                    sum += query.ray.tfar;
-                }
+                hits += query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+                answers[i] = query.ray.tfar;
             }
         }
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        std::printf("%.9f %llu %.9g\n", seconds.count(), static_cast<unsigned long long>(hits), sum);
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        const double seconds = word == "build" ? elapsed.count() : processor_seconds() - processor_start;
+        if (word == "write") {
+            std::ofstream out(arguments[2], std::ios::binary);
+            out.write(reinterpret_cast<const char*>(answers.data()), std::streamsize(answers.size() * sizeof(float)));
+        }
+        std::printf("%.9f %llu %lld\n", seconds, static_cast<unsigned long long>(hits),
+                    static_cast<long long>(bytes_in_use.load()));
         std::fflush(stdout);
     }
     if (scene) rtcReleaseScene(scene);

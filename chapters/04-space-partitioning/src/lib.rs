@@ -5,6 +5,7 @@
 pub mod bounding_volume;
 pub mod choice;
 pub mod clip;
+pub mod comparison;
 pub mod every_one;
 pub mod grid;
 pub mod growth;
@@ -17,6 +18,7 @@ pub mod pictures;
 pub mod primitives;
 pub mod probe;
 pub mod query;
+pub mod reports;
 pub mod rounding;
 pub mod scenes;
 pub mod slabs;
@@ -24,5 +26,7 @@ pub mod structure;
 mod subtree;
 pub mod triangles;
 mod validate;
+pub mod viewed_mesh;
+pub mod workload;
 
 pub use pictures::CHAPTER;

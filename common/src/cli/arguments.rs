@@ -2,18 +2,30 @@
 
 use std::{ffi::OsString, path::PathBuf};
 
-use clap::{Arg, ArgAction, ArgMatches, Command, builder::ValueParser, value_parser};
+use clap::ArgMatches;
 
+use super::{
+    options::command,
+    reports::{self, Inquiry},
+};
 use crate::{
     error::Error,
     film::Size,
-    knob::Knob,
+    knob::{Knob, Values},
     obj,
     picture::{Chapter, Picture, Settings},
     renderer::Plan,
 };
 
-/// What a user asks for.
+/// What a command line asks for.
+pub(crate) enum Wish {
+    /// A picture, its story, or the list of pictures.
+    Picture(Box<Request>),
+    /// A report.
+    Report(Inquiry),
+}
+
+/// What a user asks for who wants a picture.
 #[derive(Clone, Debug)]
 pub struct Request {
     /// Which picture.
@@ -66,7 +78,7 @@ impl From<String> for Stop {
 }
 
 /// Understand a command line.
-pub(crate) fn parse(chapter: &Chapter, arguments: impl IntoIterator<Item = OsString>) -> Result<Request, Stop> {
+pub(crate) fn parse(chapter: &Chapter, arguments: impl IntoIterator<Item = OsString>) -> Result<Wish, Stop> {
     let matches = command(chapter).try_get_matches_from(arguments).map_err(|error| {
         let text = error.to_string();
         if !error.use_stderr() {
@@ -77,7 +89,10 @@ pub(crate) fn parse(chapter: &Chapter, arguments: impl IntoIterator<Item = OsStr
         let what = what.split_whitespace().collect::<Vec<_>>().join(" ");
         Stop::Wrong(format!("{what} (--help shows all options)"))
     })?;
-    understand(chapter, &matches)
+    match reports::understand(chapter, &matches)? {
+        Some(inquiry) => Ok(Wish::Report(inquiry)),
+        None => Ok(Wish::Picture(Box::new(understand(chapter, &matches)?))),
+    }
 }
 
 fn understand(chapter: &Chapter, matches: &ArgMatches) -> Result<Request, Stop> {
@@ -93,13 +108,8 @@ fn understand(chapter: &Chapter, matches: &ArgMatches) -> Result<Request, Stop> 
         None => chapter.pictures.first().ok_or_else(|| "this chapter has no pictures yet".to_string())?,
     };
 
-    let mut settings = Settings::default();
-    for setting in matches.get_many::<String>("set").into_iter().flatten() {
-        let (name, value) =
-            setting.split_once('=').ok_or_else(|| format!("--set takes knob=value, not '{setting}'"))?;
-        let knob = knob(picture, name)?;
-        settings.values.set(knob, knob.parse(value).map_err(|e| e.to_string())?);
-    }
+    let values = values(matches, picture.knobs, &format!("picture '{}'", picture.name))?;
+    let mut settings = Settings { values, mesh: None };
     if let Some(path) = mesh {
         if !picture.takes_mesh {
             let able: Vec<_> = chapter.pictures.iter().filter(|p| p.takes_mesh).map(|p| p.name).collect();
@@ -145,10 +155,19 @@ fn named(chapter: &Chapter, name: &str) -> Result<&'static Picture, String> {
     chapter.picture(name).ok_or_else(|| format!("no picture is called '{name}'; {}", instead(name, names)))
 }
 
-fn knob(picture: &Picture, name: &str) -> Result<&'static Knob, String> {
-    let names = picture.knobs.iter().map(|k| k.name);
-    let found = picture.knobs.iter().find(|k| k.name == name);
-    found.ok_or_else(|| format!("picture '{}' has no knob '{name}'; {}", picture.name, instead(name, names)))
+/// The knobs as they are set by `--set`. `owner` is what they belong to, in words.
+pub(super) fn values(matches: &ArgMatches, knobs: &'static [Knob], owner: &str) -> Result<Values, Stop> {
+    let mut values = Values::default();
+    for setting in matches.get_many::<String>("set").into_iter().flatten() {
+        let (name, value) =
+            setting.split_once('=').ok_or_else(|| format!("--set takes knob=value, not '{setting}'"))?;
+        let knob = knobs.iter().find(|k| k.name == name).ok_or_else(|| match knobs {
+            [] => format!("{owner} has no knobs"),
+            knobs => format!("{owner} has no knob '{name}'; {}", instead(name, knobs.iter().map(|k| k.name))),
+        })?;
+        values.set(knob, knob.parse(value).map_err(|e| e.to_string())?);
+    }
+    Ok(values)
 }
 
 /// The name that was probably meant, or all there are.
@@ -159,75 +178,4 @@ fn instead(name: &str, names: impl Iterator<Item = &'static str> + Clone) -> Str
         Some(best) => format!("did you mean '{best}'?"),
         None => format!("there are: {}", names.collect::<Vec<_>>().join(", ")),
     }
-}
-
-/// The options that every chapter has.
-fn command(chapter: &Chapter) -> Command {
-    let name = chapter.name;
-    let option = |name: &'static str, value: &'static str, parser: ValueParser, help: &'static str| {
-        Arg::new(name).long(name).value_name(value).value_parser(parser).help(help).allow_hyphen_values(true)
-    };
-    let flag = |name: &'static str, help: &'static str| Arg::new(name).long(name).action(ArgAction::SetTrue).help(help);
-    let first = chapter.pictures.first().map_or("", |p| p.name);
-    Command::new(name)
-        .bin_name(name)
-        .version(env!("CARGO_PKG_VERSION"))
-        .about(format!("Chapter {}, {}: renders its pictures.", chapter.number, chapter.title))
-        .after_help(format!(
-            "Examples (with cargo, put 'cargo run -p {name} --' in front of the options):\n  \
-             {name}                                     the cover, in a window or a file\n  \
-             {name} --list                              all pictures and their knobs\n  \
-             {name} {first} --size 1920x1080 --samples 64 --output poster.png\n  \
-             {name} {first} --set yaw=40 --set pitch=10\n  \
-             {name} {first} --pixel 300,200 --samples 1    why this pixel has its color\n  \
-             {name} {first} --output - --no-window | other-program"
-        ))
-        .arg(Arg::new("picture").value_name("PICTURE").help("Which picture; the chapter's cover if none is named"))
-        .arg(flag("list", "List the pictures with their knobs"))
-        .arg(
-            option("set", "KNOB=VALUE", value_parser!(String), "Turn a knob of the picture; may be repeated")
-                .action(ArgAction::Append),
-        )
-        .arg(option("mesh", "FILE", value_parser!(PathBuf), "Show the mesh in this OBJ file"))
-        .arg(option("size", "WxH", ValueParser::new(size), "Width and height in pixels"))
-        .arg(option("samples", "N", ValueParser::new(samples), "Samples per pixel, 1 to 100 million"))
-        .arg(option("seed", "N", value_parser!(u64).into(), "Seed of the random numbers [default: 0]"))
-        .arg(option("threads", "N", ValueParser::new(threads), "Threads, 1 to 1024 [default: one a core]"))
-        .arg(option("exposure", "STOPS", ValueParser::new(exposure), "Brighten by a factor of 2^STOPS, -20 to 20"))
-        .arg(option("output", "FILE", value_parser!(PathBuf), "File to write, .png or .exr; - for standard output"))
-        .arg(flag("no-window", "Do not open a window"))
-        .arg(option("pixel", "X,Y", ValueParser::new(pixel), "Tell how this pixel got its color, instead of rendering"))
-        .arg(flag("quiet", "Tell nothing but errors"))
-}
-
-fn size(text: &str) -> Result<Size, String> {
-    let (width, height) = text.split_once(['x', 'X', '×']).ok_or("expected WIDTHxHEIGHT, like 640x360")?;
-    let side = |text: &str| text.parse::<u64>().map_err(|_| "expected WIDTHxHEIGHT, like 640x360");
-    Size::new(side(width)?, side(height)?).map_err(|e| e.to_string())
-}
-
-fn pixel(text: &str) -> Result<(u32, u32), String> {
-    let wrong = || "expected X,Y, like 320,180".to_string();
-    let (x, y) = text.split_once(',').ok_or_else(wrong)?;
-    Ok((x.trim().parse().map_err(|_| wrong())?, y.trim().parse().map_err(|_| wrong())?))
-}
-
-fn samples(text: &str) -> Result<u32, String> {
-    within(text, 1..=100_000_000, "expected a whole number from 1 to 100000000")
-}
-
-fn threads(text: &str) -> Result<usize, String> {
-    within(text, 1..=1024, "expected a whole number from 1 to 1024")
-}
-
-fn exposure(text: &str) -> Result<f32, String> {
-    within(text, -20.0..=20.0, "expected a number of stops from -20 to 20")
-}
-
-fn within<T: std::str::FromStr + PartialOrd>(
-    text: &str,
-    range: std::ops::RangeInclusive<T>,
-    expected: &str,
-) -> Result<T, String> {
-    text.parse().ok().filter(|value| range.contains(value)).ok_or_else(|| expected.into())
 }

@@ -1,7 +1,9 @@
 //! The command line, the same in every chapter.
 
 mod arguments;
+mod options;
 mod progress;
+mod reports;
 
 use std::{
     ffi::OsString,
@@ -16,9 +18,11 @@ pub use arguments::{Output, Request};
 use crate::{
     error::Error,
     film::{Film, Size},
+    knob::Knob,
     output::{self, Format},
     picture::{Chapter, Picture, Render},
     renderer,
+    report::Report,
     story::number,
 };
 
@@ -33,8 +37,8 @@ pub fn run(chapter: &Chapter) -> ExitCode {
 /// The same for a command line from elsewhere. Its first word is the program's name.
 #[must_use]
 pub fn run_with(chapter: &Chapter, arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let request = match arguments::parse(chapter, arguments) {
-        Ok(request) => request,
+    let wish = match arguments::parse(chapter, arguments) {
+        Ok(wish) => wish,
         Err(arguments::Stop::Help(text)) => return end(output::write_to_stdout(text.as_bytes())),
         Err(arguments::Stop::Wrong(message)) => {
             say(&format!("error: {message}"));
@@ -42,7 +46,10 @@ pub fn run_with(chapter: &Chapter, arguments: impl IntoIterator<Item = OsString>
         }
         Err(arguments::Stop::Unusable(error)) => return end(Err(error)),
     };
-    end(perform(chapter, &request))
+    end(match wish {
+        arguments::Wish::Picture(request) => perform(chapter, &request),
+        arguments::Wish::Report(inquiry) => inquiry.answer(),
+    })
 }
 
 /// One line for people, on standard error. If even that cannot be written there is nobody to tell.
@@ -88,7 +95,7 @@ fn perform(chapter: &Chapter, request: &Request) -> Result<(), Error> {
     target.save(&film, request, Some(start.elapsed()))
 }
 
-/// The pictures of a chapter with their knobs, for `--list`.
+/// The pictures and the reports of a chapter with their knobs, for `--list`.
 fn list(chapter: &Chapter) -> String {
     let mut text = format!("Pictures of chapter {}, {}:\n", chapter.number, chapter.title);
     for (i, Picture { name, alt, knobs, size, samples, takes_mesh, .. }) in chapter.pictures.iter().enumerate() {
@@ -96,11 +103,20 @@ fn list(chapter: &Chapter) -> String {
         let mesh = if *takes_mesh { ", takes --mesh FILE" } else { "" };
         let size = format!("{}x{}", size.width(), size.height());
         text += &format!("\n{name} ({size}, {samples} samples{cover}{mesh})\n  {alt}\n");
-        for knob in *knobs {
-            text += &format!("    {} = {}: {}, {}\n", knob.name, knob.show(knob.default()), knob.what, knob.range());
-        }
+        text += &list_knobs(knobs);
+    }
+    for Report { name, what, subject, knobs, takes_mesh, .. } in chapter.reports {
+        let subject = subject.map(|knob| format!(" {}", knob.name)).unwrap_or_default();
+        let mesh = if *takes_mesh { ", takes --mesh FILE" } else { "" };
+        text += &format!("\n--{name}{subject} (a report{mesh})\n  {what}\n{}", list_knobs(knobs));
     }
     text
+}
+
+fn list_knobs(knobs: &[Knob]) -> String {
+    let line =
+        |knob: &Knob| format!("    {} = {}: {}, {}\n", knob.name, knob.show(knob.default()), knob.what, knob.range());
+    knobs.iter().map(line).collect()
 }
 
 /// The story of one pixel, for `--pixel`.

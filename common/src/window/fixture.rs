@@ -43,6 +43,7 @@ pub(crate) const CHAPTER: Chapter = Chapter {
             make: |_| Ok(Box::new(Plain)),
         },
     ],
+    reports: &[],
 };
 
 /// The first picture as the command line would ask for it, to no file.

@@ -1,7 +1,5 @@
 //! Any mesh, framed automatically.
 
-use std::ops::RangeInclusive;
-
 use common::{
     Error, Rgb, Vec3,
     color::srgb,
@@ -10,9 +8,8 @@ use common::{
     picture::{ORBIT, Picture, Render, Settings},
 };
 
-use super::stage::{camera_error, pawn};
+use super::stage::{pawn, whole};
 use crate::{
-    camera::Camera,
     light::DirectionalLight,
     local_illumination::{LocalIllumination, Terms},
     material::Phong,
@@ -39,23 +36,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
         Some(obj) => Mesh::new(obj, shading)?,
         None => Mesh::new(&pawn()?, shading)?,
     };
-    // Stand back until the sphere around the mesh fills the field of view. A mesh in one point gets a radius too.
-    const FIELD_OF_VIEW: f32 = 30.0;
-    let bounds = mesh.bounds();
-    let radius = (bounds.diagonal() / 2.0).max(bounds.center().abs().max_element() * 1e-6);
-    // Squares of larger and smaller numbers leave the range of f32.
-    const RADII: RangeInclusive<f32> = 1e-15..=1e15;
-    if !RADII.contains(&radius) {
-        let (least, most) = (RADII.start(), RADII.end());
-        let message =
-            format!("the mesh has a radius of {radius:e} units, and only {least:e} to {most:e} can be framed");
-        return Err(Error::Picture(message));
-    }
-    let distance = 0.95 * radius / common::float::sin((FIELD_OF_VIEW / 2.0).to_radians());
-    let toward = Vec3::new(0.5, 0.35, 1.0).normalize();
-    let eye = bounds.center() + toward * distance;
-    let camera = Camera::orbited(eye, bounds.center(), FIELD_OF_VIEW, &settings.values).map_err(camera_error)?;
-
+    let camera = whole(mesh.bounds(), &settings.values)?;
     let mut scene = Scene::new();
     scene.ambient = Rgb::splat(0.10);
     scene.surround(srgb(34, 38, 46));

@@ -46,4 +46,5 @@ pub const CHAPTER: Chapter = Chapter {
         lights::PICTURE,
         ambient::PICTURE,
     ],
+    reports: &[],
 };

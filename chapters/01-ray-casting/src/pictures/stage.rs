@@ -1,5 +1,7 @@
 //! What several pictures share: a dark stage without a visible horizon, its lights, and the eye in front of it.
 
+use std::ops::RangeInclusive;
+
 use common::{
     Error, Rgb, Vec3,
     color::srgb,
@@ -8,6 +10,7 @@ use common::{
 };
 
 use crate::{
+    aabb::Aabb,
     camera::{Camera, CameraError},
     frame::Frame,
     light::{DirectionalLight, PointLight},
@@ -88,6 +91,27 @@ fn asset(file: &str, bytes: &[u8]) -> Result<ObjMesh, Error> {
 /// A camera that the orbit knobs move.
 pub fn camera(eye: [f32; 3], lookat: [f32; 3], field_of_view: f32, values: &Values) -> Result<Camera, Error> {
     Camera::orbited(Vec3::from_array(eye), Vec3::from_array(lookat), field_of_view, values).map_err(camera_error)
+}
+
+/// A camera that sees the whole of a box, from the front and a little above, and that the orbit knobs move.
+///
+/// # Errors
+/// [`Error::Picture`] if the box is too small or too large.
+pub fn whole(bounds: Aabb, values: &Values) -> Result<Camera, Error> {
+    // Stand back until the sphere around the box fills the field of view. A box of one point gets a radius too.
+    const FIELD_OF_VIEW: f32 = 30.0;
+    let radius = (bounds.diagonal() / 2.0).max(bounds.center().abs().max_element() * 1e-6);
+    // Squares of larger and smaller numbers leave the range of f32.
+    const RADII: RangeInclusive<f32> = 1e-15..=1e15;
+    if !RADII.contains(&radius) {
+        let (least, most) = (RADII.start(), RADII.end());
+        let message =
+            format!("the mesh has a radius of {radius:e} units, and only {least:e} to {most:e} can be framed");
+        return Err(Error::Picture(message));
+    }
+    let distance = 0.95 * radius / common::float::sin((FIELD_OF_VIEW / 2.0).to_radians());
+    let eye = bounds.center() + Vec3::new(0.5, 0.35, 1.0).normalize() * distance;
+    Camera::orbited(eye, bounds.center(), FIELD_OF_VIEW, values).map_err(camera_error)
 }
 
 /// A camera that cannot be made, as an error of the picture.

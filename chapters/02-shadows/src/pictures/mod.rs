@@ -30,4 +30,5 @@ pub const CHAPTER: Chapter = Chapter {
         colored_lights::PICTURE,
         terminator::PICTURE,
     ],
+    reports: &[],
 };

@@ -34,4 +34,5 @@ pub const CHAPTER: Chapter = Chapter {
         ray_tree::PICTURE,
         minray::PICTURE,
     ],
+    reports: &[],
 };

@@ -14,6 +14,8 @@ mod walks;
 
 use common::picture::Chapter;
 
+use crate::reports::REPORTS;
+
 /// Chapter 4 with all its pictures.
 pub const CHAPTER: Chapter = Chapter {
     number: 4,
@@ -45,4 +47,5 @@ pub const CHAPTER: Chapter = Chapter {
         building::PICTURE,
         losers::PICTURE,
     ],
+    reports: REPORTS,
 };

@@ -50,3 +50,14 @@ pub const GENERATORS: &[Generator] = &[
     mountain::GENERATOR,
     stadium::GENERATOR,
 ];
+
+/// Their names, in the same order.
+pub const NAMES: [&str; GENERATORS.len()] = {
+    let mut names = [""; GENERATORS.len()];
+    let mut i = 0;
+    while i < names.len() {
+        names[i] = GENERATORS[i].name;
+        i += 1;
+    }
+    names
+};

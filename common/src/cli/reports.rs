@@ -1,0 +1,160 @@
+//! Reports on the command line: what is asked for, and how it is told.
+
+use std::{io::IsTerminal as _, path::PathBuf};
+
+use clap::{ArgMatches, parser::ValueSource};
+
+use super::{
+    arguments::{Stop, values},
+    say,
+};
+use crate::{
+    error::Error,
+    obj, output, parallel,
+    picture::{Chapter, Settings},
+    report::{Report, Task},
+};
+
+/// What a user asks for who wants a report.
+pub(crate) struct Inquiry {
+    report: &'static Report,
+    settings: Settings,
+    seed: u64,
+    threads: usize,
+    quiet: bool,
+}
+
+/// Arguments that mean nothing to a report, and what to call them.
+const FOR_PICTURES: [(&str, &str); 7] = [
+    ("list", "--list"),
+    ("size", "--size"),
+    ("samples", "--samples"),
+    ("exposure", "--exposure"),
+    ("output", "--output"),
+    ("pixel", "--pixel"),
+    ("picture", ""),
+];
+
+/// The report that a command line asks for, if it asks for one.
+pub(super) fn understand(chapter: &Chapter, matches: &ArgMatches) -> Result<Option<Inquiry>, Stop> {
+    let is_said = |name: &str| matches.value_source(name) == Some(ValueSource::CommandLine);
+    let mut asked = chapter.reports.iter().filter(|report| is_said(report.name));
+    let Some(report) = asked.next() else { return Ok(None) };
+    let name = report.name;
+    if let Some(other) = asked.next() {
+        return Err(Stop::Wrong(format!("--{name} and --{} are two reports; ask for one at a time", other.name)));
+    }
+    if let Some((argument, shown)) = FOR_PICTURES.into_iter().find(|(argument, _)| is_said(argument)) {
+        let shown = if argument == "picture" { matches.get_one(argument).map_or(shown, String::as_str) } else { shown };
+        return Err(Stop::Wrong(format!(
+            "--{name} is a report, not a picture; leave out '{shown}' (--set, --seed, --threads and --quiet may stay)"
+        )));
+    }
+
+    let mut values = values(matches, report.knobs, &format!("report '{name}'"))?;
+    if let Some(knob) = report.subject {
+        let word = matches.get_one::<String>(name).map_or("", String::as_str);
+        values.set(knob, knob.parse(word).map_err(|e| e.to_string())?);
+    }
+    let mut settings = Settings { values, mesh: None };
+    if let Some(path) = matches.get_one::<PathBuf>("mesh") {
+        if !report.takes_mesh {
+            return Err(Stop::Wrong(format!("report '{name}' does not take --mesh")));
+        }
+        settings.mesh = Some(obj::read(path).map_err(Stop::Unusable)?);
+    }
+    Ok(Some(Inquiry {
+        report,
+        settings,
+        seed: matches.get_one("seed").copied().unwrap_or_default(),
+        threads: matches.get_one("threads").copied().unwrap_or_default(),
+        quiet: matches.get_flag("quiet"),
+    }))
+}
+
+impl Inquiry {
+    /// Make the report and write it to standard output. Meanwhile whoever sits at a terminal is told each step.
+    pub(super) fn answer(&self) -> Result<(), Error> {
+        let is_watched = !self.quiet && std::io::stderr().is_terminal();
+        let progress = |step: &str| {
+            if is_watched {
+                say(step);
+            }
+        };
+        let task = Task { settings: &self.settings, seed: self.seed, threads: self.threads, progress: &progress };
+        let report = parallel::with_threads(self.threads, || (self.report.make)(&task));
+        let report = report.map_err(|error| match error {
+            Error::Picture(what) => Error::Report(what),
+            other => other,
+        })?;
+        output::write_to_stdout(report.as_bytes())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        cli::arguments::{Wish, parse},
+        knob::{Knob, Step},
+    };
+
+    const COUNT: Knob = Knob::number("count", "how many", [1.0, 9.0], 2.0, "", Step::Whole);
+    const WHICH: Knob = Knob::choice("which", "about what", &["one", "two"], 0);
+    const PLAIN: Report = Report {
+        name: "plain",
+        what: "counts",
+        subject: None,
+        knobs: &[COUNT],
+        takes_mesh: false,
+        make: |task| Ok(format!("{}\n", task.settings.values.index(&COUNT))),
+    };
+    const ABOUT: Report = Report { name: "about", subject: Some(&WHICH), knobs: &[], ..PLAIN };
+    const CHAPTER: Chapter = Chapter { number: 0, name: "toy", title: "Toy", pictures: &[], reports: &[PLAIN, ABOUT] };
+
+    fn asked(line: &str) -> Result<Inquiry, String> {
+        let words = std::iter::once("toy").chain(line.split_whitespace());
+        match parse(&CHAPTER, words.map(Into::into)) {
+            Ok(Wish::Report(inquiry)) => Ok(inquiry),
+            Ok(Wish::Picture(_)) => Err("a picture".into()),
+            Err(Stop::Help(what) | Stop::Wrong(what)) => Err(what),
+            Err(Stop::Unusable(error)) => Err(error.to_string()),
+        }
+    }
+
+    #[test]
+    fn a_report_is_asked_for_by_its_name() {
+        let inquiry = asked("--plain --set count=7 --threads 3 --seed 5 --quiet --no-window").unwrap();
+        assert_eq!((inquiry.report.name, inquiry.settings.values.index(&COUNT)), ("plain", 7));
+        assert_eq!((inquiry.threads, inquiry.seed, inquiry.quiet), (3, 5, true));
+        assert_eq!(asked("--about two").unwrap().settings.values.index(&WHICH), 1);
+    }
+
+    #[test]
+    fn wrong_questions_are_explained() {
+        for (line, part) in [
+            ("--plain --about one", "--plain and --about are two reports"),
+            ("--plain ball", "leave out 'ball'"),
+            ("--plain --size 4x3", "leave out '--size'"),
+            ("--list --plain", "leave out '--list'"),
+            ("--plain --set conut=7", "report 'plain' has no knob 'conut'; did you mean 'count'?"),
+            ("--about one --set count=7", "report 'about' has no knobs"),
+            ("--plain --set count=NaN", "from 1 to 9"),
+            ("--plain --mesh x.obj", "does not take --mesh"),
+            ("--about three", "knob 'which' cannot be 'three': it takes one of one, two"),
+            ("--about", "a value is required"),
+            ("--plain=3", "unexpected value"),
+            ("--plain --plain", "cannot be used multiple times"),
+            ("", "no pictures yet"),
+        ] {
+            let said = asked(line).map(|_| ()).unwrap_err();
+            assert!(said.contains(part), "{line}: {said}");
+        }
+    }
+
+    #[test]
+    fn the_help_names_them() {
+        let help = asked("--help").map(|_| ()).unwrap_err();
+        assert!(help.contains("--plain ") && help.contains("--about <which>"), "{help}");
+    }
+}

@@ -15,10 +15,16 @@ use crate::{
 const MOST_CORNERS: usize = 9;
 
 /// A convex polygon with few corners, kept without asking the heap for memory.
-#[derive(Clone, Copy)]
 struct Polygon {
     corners: [DVec3; MOST_CORNERS],
     count: usize,
+}
+
+/// The two sides of a plane.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Below,
+    Above,
 }
 
 impl Polygon {
@@ -34,10 +40,10 @@ impl Polygon {
         }
         for axis in 0..3 {
             if min[axis] < cell.min[axis] {
-                polygon = polygon.halves(axis, cell.min[axis])[1];
+                polygon = polygon.part(axis, cell.min[axis], Side::Above);
             }
             if max[axis] > cell.max[axis] {
-                polygon = polygon.halves(axis, cell.max[axis])[0];
+                polygon = polygon.part(axis, cell.max[axis], Side::Below);
             }
         }
         polygon
@@ -56,40 +62,40 @@ impl Polygon {
         }
     }
 
-    // ANCHOR: halves
-    /// The parts below and above the plane `axis = position`. Corners in the plane belong to both.
-    fn halves(&self, axis: usize, position: f32) -> [Self; 2] {
-        let [mut below, mut above] = [Self::EMPTY; 2];
-        let height = |corner: DVec3| corner[axis] - f64::from(position);
-        let Some(&last) = self.corners().last() else { return [below, above] };
-        let (mut from, mut from_height) = (last, height(last));
+    // ANCHOR: part
+    /// The part on one side of the plane `axis = position`. Corners in the plane belong to both sides.
+    fn part(&self, axis: usize, position: f32, side: Side) -> Self {
+        let position = f64::from(position);
+        let depth = |corner: DVec3| match side {
+            Side::Below => position - corner[axis],
+            Side::Above => corner[axis] - position,
+        };
+        let mut part = Self::EMPTY;
+        let Some(&last) = self.corners().last() else { return part };
+        let (mut from, mut from_depth) = (last, depth(last));
         for &to in self.corners() {
-            let to_height = height(to);
+            let to_depth = depth(to);
             // An edge that changes sides has a new corner in the plane.
-            if from_height < 0.0 && to_height > 0.0 || from_height > 0.0 && to_height < 0.0 {
-                let mut corner = from + (to - from) * (from_height / (from_height - to_height));
-                corner[axis] = f64::from(position);
-                below.push(corner);
-                above.push(corner);
+            if from_depth * to_depth < 0.0 {
+                let mut corner = from + (to - from) * (from_depth / (from_depth - to_depth));
+                corner[axis] = position;
+                part.push(corner);
             }
-            if to_height <= 0.0 {
-                below.push(to);
+            if to_depth >= 0.0 {
+                part.push(to);
             }
-            if to_height >= 0.0 {
-                above.push(to);
-            }
-            (from, from_height) = (to, to_height);
+            (from, from_depth) = (to, to_depth);
         }
-        [below, above]
+        part
     }
-    // ANCHOR_END: halves
+    // ANCHOR_END: part
 
     /// The box around it, rounded outward; `None` if it has no corner.
     fn aabb(&self) -> Option<Aabb> {
-        let (first, others) = self.corners().split_first()?;
-        let (low, high) = others.iter().fold((*first, *first), |(low, high), c| (low.min(*c), high.max(*c)));
-        let min = Vec3::from_array(low.to_array().map(down));
-        Some(Aabb { min, max: Vec3::from_array(high.to_array().map(up)) })
+        let (&first, others) = self.corners().split_first()?;
+        let (low, high) = others.iter().fold((first, first), |(low, high), &c| (low.min(c), high.max(c)));
+        let min = Vec3::new(down(low.x), down(low.y), down(low.z));
+        Some(Aabb { min, max: Vec3::new(up(high.x), up(high.y), up(high.z)) })
     }
 }
 
@@ -118,12 +124,14 @@ fn share(part: &Polygon, cell: &Aabb, middle: Vec3, axis: usize, number: usize, 
         return;
     }
     let plane = f64::from(middle[axis]);
-    let reaches_down = part.corners().iter().any(|corner| corner[axis] < plane);
-    let reaches_up = part.corners().iter().any(|corner| corner[axis] > plane);
+    let [reaches_down, reaches_up] = part
+        .corners()
+        .iter()
+        .fold([false; 2], |[down, up], corner| [down | (corner[axis] < plane), up | (corner[axis] > plane)]);
     if reaches_down && reaches_up {
-        let [below, above] = part.halves(axis, middle[axis]);
-        share(&below, cell, middle, axis + 1, number, parts);
-        share(&above, cell, middle, axis + 1, number | 1 << axis, parts);
+        let half = |side| part.part(axis, middle[axis], side);
+        share(&half(Side::Below), cell, middle, axis + 1, number, parts);
+        share(&half(Side::Above), cell, middle, axis + 1, number | 1 << axis, parts);
     } else {
         share(part, cell, middle, axis + 1, number | usize::from(reaches_up) << axis, parts);
     }

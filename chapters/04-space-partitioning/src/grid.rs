@@ -138,11 +138,6 @@ impl Cells {
     }
     // ANCHOR_END: plane
 
-    /// How many cells there are.
-    pub(crate) fn count(&self) -> usize {
-        self.resolution.map(|n| n as usize).iter().product()
-    }
-
     /// The number of a cell.
     #[inline]
     pub(crate) fn number(&self, [x, y, z]: [u32; 3]) -> u32 {

@@ -40,7 +40,7 @@ pub(crate) struct Node {
 /// Stands where a leaf has the length of its list.
 const DIVIDED: u32 = u32::MAX;
 /// Cells with more primitives are divided.
-pub const FEW: usize = 24;
+pub const FEW: usize = 32;
 /// How often the whole is divided at most. Deeper cells could not be told apart in `f32`.
 pub const MAX_DEPTH: usize = 20;
 // ANCHOR_END: octree

@@ -15,35 +15,60 @@ pub(crate) trait TreeNode: Copy {
 /// Nodes and lists, both numbered from zero. Node 0 is the whole.
 pub(crate) struct Subtree<N, E> {
     pub(crate) nodes: Vec<N>,
-    pub(crate) lists: Vec<E>,
+    /// The lists, in pieces that nobody has put together yet.
+    done: Vec<Vec<E>>,
+    done_count: usize,
+    /// The piece that grows.
+    growing: Vec<E>,
 }
 
 impl<N: TreeNode, E> Subtree<N, E> {
     /// An empty leaf.
     pub(crate) fn new() -> Self {
-        Self { nodes: vec![N::EMPTY], lists: Vec::new() }
+        Self { nodes: vec![N::EMPTY], done: Vec::new(), done_count: 0, growing: Vec::new() }
     }
 
     /// Make a node a leaf that lists these entries.
     pub(crate) fn set_leaf(&mut self, node: usize, entries: impl Iterator<Item = E>) {
-        let first = self.lists.len();
-        self.lists.extend(entries);
-        self.nodes[node] = N::leaf(number(first), number(self.lists.len() - first));
+        let first = self.growing.len();
+        self.growing.extend(entries);
+        self.nodes[node] = N::leaf(number(self.done_count + first), number(self.growing.len() - first));
     }
 
-    /// Put a subtree in the place of a node.
     // ANCHOR: hang
+    /// Put a subtree in the place of a node.
     pub(crate) fn hang(&mut self, node: usize, subtree: Self) {
+        self.end_piece();
         // The subtree's whole goes to the node itself, all else to the end.
-        let (nodes, lists) = (number(self.nodes.len()), number(self.lists.len()));
+        let (nodes, lists) = (number(self.nodes.len()), number(self.done_count));
         let mut moved = subtree.nodes.into_iter().map(|node| node.moved(nodes.wrapping_sub(1), lists));
         if let Some(whole) = moved.next() {
             self.nodes[node] = whole;
         }
         self.nodes.extend(moved);
-        self.lists.extend(subtree.lists);
+        // Lists are long: copy them only once, when all is done.
+        self.done.extend(subtree.done);
+        self.done_count += subtree.done_count;
+        self.growing = subtree.growing;
+        self.end_piece();
     }
     // ANCHOR_END: hang
+
+    fn end_piece(&mut self) {
+        self.done_count += self.growing.len();
+        self.done.push(std::mem::take(&mut self.growing));
+    }
+
+    /// The nodes, and the lists in one piece.
+    pub(crate) fn finish(mut self) -> (Vec<N>, Vec<E>) {
+        if self.done.is_empty() {
+            return (self.nodes, self.growing);
+        }
+        self.end_piece();
+        let mut lists = Vec::with_capacity(self.done_count);
+        self.done.into_iter().for_each(|mut piece| lists.append(&mut piece));
+        (self.nodes, lists)
+    }
 }
 
 /// A place in a list as a number of 32 bits. There are fewer than 2³⁰ of them: [`crate::structure::MOST_PRIMITIVES`].

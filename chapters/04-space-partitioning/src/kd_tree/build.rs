@@ -29,7 +29,7 @@ pub(super) fn build<P: Primitives>(
     // With n primitives a good tree is little deeper than log₂ n.
     let depth = (8 + 13 * references.len().max(1).ilog2() as usize / 10).min(MAX_DEPTH);
     builder.grow(&mut tree, 0, references, aabb, depth, &mut Splitter::default());
-    (tree.nodes, tree.lists)
+    tree.finish()
 }
 
 struct Builder<'b, P> {

@@ -12,9 +12,9 @@ use crate::{
 type Reference = (u32, Aabb);
 
 /// Cells with fewer primitives are not worth a task of their own.
-const TASK: usize = 4096;
-/// A division that makes so many times as many entries as there were primitives parts nothing.
-const HOPELESS: usize = 2;
+const TASK: usize = 8192;
+/// A division that makes more entries than this many for four primitives parts too little.
+const HOPELESS: usize = 7;
 
 /// The nodes and the lists of a whole tree.
 pub(super) fn build<P: Primitives>(
@@ -25,7 +25,7 @@ pub(super) fn build<P: Primitives>(
 ) -> (Vec<Node>, Vec<P::Entry>) {
     let mut tree = Subtree::new();
     Builder { primitives, few }.grow(&mut tree, 0, &references, &aabb, MAX_DEPTH);
-    (tree.nodes, tree.lists)
+    tree.finish()
 }
 
 impl TreeNode for Node {
@@ -87,7 +87,8 @@ impl<P: Primitives> Builder<'_, P> {
     /// Sort the primitives of a cell to its eight parts; `None` if most of them would be in several parts.
     fn part(&self, references: &[Reference], cell: &Aabb) -> Option<[Vec<Reference>; 8]> {
         let middle = cell.center();
-        let mut parts: [Vec<Reference>; 8] = Default::default();
+        // On a surface, four of the parts hold about a quarter each.
+        let mut parts: [Vec<Reference>; 8] = std::array::from_fn(|_| Vec::with_capacity(references.len() / 3));
         for &(number, aabb) in references {
             // What only touches a plane from below belongs to the part below it.
             let (is_below, is_above) = (aabb.max.cmple(middle), aabb.min.cmpge(middle));
@@ -102,7 +103,7 @@ impl<P: Primitives> Builder<'_, P> {
             }
         }
         let entries: usize = parts.iter().map(Vec::len).sum();
-        (entries < HOPELESS * references.len()).then_some(parts)
+        (4 * entries < HOPELESS * references.len()).then_some(parts)
     }
     // ANCHOR_END: part
 }

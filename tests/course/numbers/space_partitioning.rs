@@ -274,10 +274,9 @@ pub(super) fn measured() -> String {
     }
     numbers.about("The court, in a kd-tree that halves through the median.");
     let median = scene("court").cost_of(Choice::MedianKdTree);
-    numbers.pin("court-median-kd-tree-cells", short(median.cells()));
     numbers.pin("court-median-kd-tree-tests", short(median.tests()));
 
-    numbers.about("Entries of all lists for each triangle, and how many more tests there are, and more entries, if triangles are clipped as");
+    numbers.about("Entries of all lists for each triangle, and how many more tests there are if triangles are clipped as");
     numbers.0.push_str("# if they filled their boxes.\n");
     for name in ["mountain", "hair-ball"] {
         let scene = scene(name);
@@ -288,19 +287,17 @@ pub(super) fn measured() -> String {
             numbers.pin(&format!("{pin}-entries"), format!("{:.1}", exact.1));
             let [tests, box_tests] = [exact, by_boxes].map(|(structure, _)| scene.cost(structure.as_ref()).tests());
             numbers.pin(&format!("{pin}-boxes-tests"), more(box_tests, tests));
-            numbers.pin(&format!("{pin}-boxes-entries"), more(by_boxes.1, exact.1));
         }
     }
     numbers.about("The interior, each of its parts in a box of its own: parts, and triangles in the boxes that a camera ray meets.");
     let interior = scene("interior");
     numbers.pin("interior-parts", interior.parts.len());
     numbers.pin("interior-boxed-tests", short(interior.tests_in_boxes()));
-    numbers.about("The stadium's grid: cells, triangles in the fullest of them, that as a share of all, and cells that list nothing.");
+    numbers.about("The stadium's grid: cells, triangles in the fullest of them, and cells that list nothing.");
     let lists = lengths(&scene("stadium").grid(DENSITY));
     let fullest = lists.iter().copied().max().unwrap_or(0);
     numbers.pin("stadium-grid-count", grouped(lists.len() as u32));
     numbers.pin("stadium-grid-fullest", grouped(fullest as u32));
-    numbers.pin("stadium-grid-share", super::percent(fullest as u32, scene("stadium").mesh.len() as u32));
     numbers.pin("stadium-grid-empty", super::percent(lists.iter().filter(|&&n| n == 0).count() as u32, lists.len() as u32));
     numbers.about("The mountain in grids of more and more cells for each triangle.");
     for density in DENSITIES {

@@ -169,7 +169,9 @@ where
 }
 
 /// A structure, and how many entries its lists have for each primitive.
-fn counted<P: Primitives + 'static, T: Partition<P> + 'static>(structure: Structure<P, T>) -> (Box<dyn Countable>, f64) {
+fn counted<P: Primitives + 'static, T: Partition<P> + 'static>(
+    structure: Structure<P, T>,
+) -> (Box<dyn Countable>, f64) {
     let entries: usize = lengths(&structure).iter().sum();
     let share = entries as f64 / f64::from(structure.primitives.count());
     (Box::new(structure), share)
@@ -234,7 +236,8 @@ fn hard_rays(scene: &Scene, seed: u64) -> Vec<Ray> {
         let axis = [Vec3::X, Vec3::Y, Vec3::Z, -Vec3::X, -Vec3::Y, -Vec3::Z][i % 6];
         // A plane in which the cells of the octree have their faces, and a corner of a triangle.
         let eighth = min + (max - min).max_element() * ((any() * 8.0).floor() / 8.0);
-        let corner = scene.mesh.triangle((any().x * scene.mesh.len() as f32) as usize % scene.mesh.len()).corners[i % 3];
+        let corner =
+            scene.mesh.triangle((any().x * scene.mesh.len() as f32) as usize % scene.mesh.len()).corners[i % 3];
         rays.push(Ray::new(origin, target - origin));
         rays.push(Ray::new(origin, axis));
         rays.push(Ray::new(eighth - axis * (max - min).length(), axis));
@@ -264,7 +267,8 @@ pub(super) fn measured() -> String {
     let scene = |name: &str| scenes.iter().find(|scene| scene.name == name).unwrap();
     numbers.about("Each scene with about 20,000 triangles: how many exactly; then for each structure cells visited and triangles tested");
     numbers.0.push_str("# by a camera ray, mean over 32 × 18 of them.\n");
-    let costs = parallel::map(scenes.len(), |i| Choice::STRUCTURES.iter().map(|c| scenes[i].cost_of(*c)).collect::<Vec<_>>());
+    let costs =
+        parallel::map(scenes.len(), |i| Choice::STRUCTURES.iter().map(|c| scenes[i].cost_of(*c)).collect::<Vec<_>>());
     for (scene, costs) in scenes.iter().zip(&costs) {
         numbers.pin(&format!("{}-triangles", scene.name), grouped(scene.mesh.len() as u32));
         for (choice, cost) in Choice::STRUCTURES.iter().zip(costs) {
@@ -276,7 +280,8 @@ pub(super) fn measured() -> String {
     let median = scene("court").cost_of(Choice::MedianKdTree);
     numbers.pin("court-median-kd-tree-tests", short(median.tests()));
 
-    numbers.about("Entries of all lists for each triangle, and how many more tests there are if triangles are clipped as");
+    numbers
+        .about("Entries of all lists for each triangle, and how many more tests there are if triangles are clipped as");
     numbers.0.push_str("# if they filled their boxes.\n");
     for name in ["mountain", "hair-ball"] {
         let scene = scene(name);
@@ -298,7 +303,10 @@ pub(super) fn measured() -> String {
     let fullest = lists.iter().copied().max().unwrap_or(0);
     numbers.pin("stadium-grid-count", grouped(lists.len() as u32));
     numbers.pin("stadium-grid-fullest", grouped(fullest as u32));
-    numbers.pin("stadium-grid-empty", super::percent(lists.iter().filter(|&&n| n == 0).count() as u32, lists.len() as u32));
+    numbers.pin(
+        "stadium-grid-empty",
+        super::percent(lists.iter().filter(|&&n| n == 0).count() as u32, lists.len() as u32),
+    );
     numbers.about("The mountain in grids of more and more cells for each triangle.");
     for density in DENSITIES {
         let cost = scene("mountain").cost(&scene("mountain").grid(density));
@@ -323,7 +331,8 @@ pub(super) fn measured() -> String {
     let (nodes, lines) = nodes_and_lines(scene("square"));
     numbers.pin("square-nodes", short(nodes));
     numbers.pin("square-lines", short(lines));
-    numbers.about("Growth from 1,000 to 100,000 triangles: slope of the steps of a camera ray, on axes with logarithms.");
+    numbers
+        .about("Growth from 1,000 to 100,000 triangles: slope of the steps of a camera ray, on axes with logarithms.");
     for name in ["mountain", "stadium"] {
         let sizes = parallel::map(SIZES.len(), |i| Scene::of(name, SIZES[i]));
         for choice in Choice::STRUCTURES {

@@ -4,6 +4,7 @@
 //! it, so it is crisp at every size. Its letters are strokes of ours: no font is needed.
 
 mod alphabet;
+mod axis;
 mod glyphs;
 pub mod lettering;
 pub mod mark;
@@ -16,7 +17,7 @@ use crate::{
     color::Rgb,
     drawing::{
         lettering::{Lettering, outline},
-        mark::{Form, Mark, Pen},
+        mark::{Bounds, Form, Mark, Pen},
     },
     picture::{FilmPoint, Integrator},
     random::Stream,
@@ -40,6 +41,13 @@ pub const GRID: Rgb = Rgb::new(0.0482, 0.0595, 0.0844);
 pub struct Drawing {
     page: Vec2,
     ground: Rgb,
+    runs: Vec<Run>,
+}
+
+/// Marks that follow each other, and what bounds them all: most points of a page lie far from most marks.
+#[derive(Clone, Debug)]
+struct Run {
+    bounds: Bounds,
     marks: Vec<Mark>,
 }
 
@@ -47,7 +55,7 @@ impl Drawing {
     /// An empty page of the given width and height on a ground of one color.
     #[must_use]
     pub fn new(page: Vec2, ground: Rgb) -> Self {
-        Self { page, ground, marks: Vec::new() }
+        Self { page, ground, runs: Vec::new() }
     }
 
     /// A line through `points`, its ends and corners round.
@@ -60,33 +68,45 @@ impl Drawing {
         if let (true, Some(&first), Some(&last)) = (pen.fades, points.first(), points.last()) {
             mark.fades(first, last);
         }
-        self.marks.push(mark);
-        self
+        self.mark(mark)
     }
 
     /// A filled disc.
     pub fn disc(&mut self, center: Vec2, radius: f32, color: Rgb) -> &mut Self {
-        self.marks.push(Mark::new(Form::Disc { center, radius }, color, 1.0));
-        self
+        self.mark(Mark::new(Form::Disc { center, radius }, color, 1.0))
     }
 
     /// A filled convex polygon, its corners in either turning direction.
     pub fn polygon(&mut self, corners: &[Vec2], color: Rgb, opacity: f32) -> &mut Self {
-        self.marks.push(Mark::new(Form::polygon(corners), color, opacity));
-        self
+        self.mark(Mark::new(Form::polygon(corners), color, opacity))
     }
 
     /// A line of text; `at` is where its baseline starts, ends or has its middle.
     pub fn text(&mut self, text: &str, at: Vec2, lettering: Lettering) -> &mut Self {
         let form = Form::lines(&outline(text, at, lettering), lettering.stroke());
-        self.marks.push(Mark::new(form, lettering.color, 1.0));
-        self
+        self.mark(Mark::new(form, lettering.color, 1.0))
     }
 
     /// Another drawing without its ground, its page's upper left corner at a place of this one.
-    pub fn paste(&mut self, mut other: Drawing, at: Vec2) -> &mut Self {
-        other.marks.iter_mut().for_each(|mark| mark.shift(at));
-        self.marks.append(&mut other.marks);
+    pub fn paste(&mut self, other: Drawing, at: Vec2) -> &mut Self {
+        for mut mark in other.runs.into_iter().flat_map(|run| run.marks) {
+            mark.shift(at);
+            self.mark(mark);
+        }
+        self
+    }
+
+    /// The next mark.
+    fn mark(&mut self, mark: Mark) -> &mut Self {
+        /// How many marks are looked at together.
+        const RUN: usize = 16;
+        match self.runs.last_mut().filter(|run| run.marks.len() < RUN) {
+            Some(run) => {
+                run.bounds = run.bounds.union(mark.bounds());
+                run.marks.push(mark);
+            }
+            None => self.runs.push(Run { bounds: mark.bounds(), marks: vec![mark] }),
+        }
         self
     }
 
@@ -96,7 +116,8 @@ impl Drawing {
     #[must_use]
     pub fn over(&self, below: Rgb, point: FilmPoint) -> Rgb {
         let (place, pixel) = self.locate(point);
-        self.marks.iter().fold(below, |below, mark| mark.over(below, place, pixel))
+        let near = self.runs.iter().filter(|run| run.bounds.contains(place, pixel));
+        near.flat_map(|run| &run.marks).fold(below, |below, mark| mark.over(below, place, pixel))
     }
 
     /// Where a film point lies on the page.
@@ -172,6 +193,23 @@ mod tests {
         let corner = |size| drawing.locate(FilmPoint { position: Vec2::splat(0.9), size });
         assert_eq!(corner(Vec2::new(800.0, 200.0)), (Vec2::new(-99.75, 0.25), 0.5));
         assert_eq!(corner(Vec2::new(400.0, 400.0)), (Vec2::new(0.25, -49.75), 0.5));
+    }
+
+    #[test]
+    fn many_marks_are_all_there() {
+        // More than are looked at together, and from one page pasted to another.
+        let mut dots = Drawing::new(Vec2::splat(100.0), Rgb::ZERO);
+        let place = |i: u8| Vec2::new(f32::from(i % 10), f32::from(i / 10)) * 7.0 + 2.5;
+        (0..100).for_each(|i| {
+            dots.disc(place(i), 1.5, Rgb::X);
+        });
+        let mut page = Drawing::new(Vec2::splat(100.0), Rgb::ZERO);
+        page.paste(dots, Vec2::splat(20.0));
+        let at = |position| page.over(Rgb::ZERO, FilmPoint { position, size: Vec2::splat(100.0) });
+        for i in 0..100 {
+            assert_eq!(at(place(i) + 20.0), Rgb::X);
+            assert_eq!(at(place(i) + 23.0), Rgb::ZERO);
+        }
     }
 
     #[test]

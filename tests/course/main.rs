@@ -2,10 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "in a test, helpers may fail too")]
 
+mod agreement;
 mod assets;
 mod book;
 mod camera;
 mod command_line;
+mod degenerate;
 mod exact;
 mod fresnel;
 mod house;
@@ -26,6 +28,7 @@ mod refraction;
 mod said_commands;
 mod shadows;
 mod shapes;
+mod soups;
 mod stories;
 mod subjects;
 mod terms;

@@ -100,7 +100,7 @@ impl Cells {
         let sides = sides / longest.max(f32::MIN_POSITIVE);
         let side = common::float::cbrt(sides.x * sides.y * sides.z / wanted.max(1.0));
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to 1024")]
-        let resolution = (sides / side).to_array().map(|n| n.round().clamp(1.0, Self::MOST) as u32);
+        let resolution = (sides / side).to_array().map(|n| (n.round().min(Self::MOST) as u32).max(1));
         let counts = Vec3::from_array(resolution.map(|n| n as f32));
         Self { aabb, resolution, size: size / counts }
     }

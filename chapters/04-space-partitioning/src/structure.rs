@@ -48,6 +48,12 @@ pub struct Structure<P, T> {
 }
 
 impl<P: Primitives, T: Partition<P>> Structure<P, T> {
+    /// All cells that are not divided any further.
+    #[must_use]
+    pub fn cells(&self) -> Vec<Cell<'_, P::Entry>> {
+        self.partition.cells()
+    }
+
     /// The nearest hit, told to a probe. Of several at the same `t` it is that of the lowest number.
     #[inline]
     pub fn nearest(&self, ray: &Ray, range: Interval, probe: &mut impl Probe) -> Option<Found> {

@@ -71,6 +71,18 @@ impl<N: TreeNode, E> Subtree<N, E> {
     }
 }
 
+// ANCHOR: room
+/// By which factor the entries of all lists may be more than the primitives. A primitive that reaches into both halves
+/// of a cell becomes two entries; without a limit, needles and overlapping things would fill the memory.
+pub(crate) const ROOM: f32 = 3.25;
+
+/// By which factor a division makes the entries more.
+#[expect(clippy::cast_precision_loss, reason = "a ratio")]
+pub(crate) fn growth(after: usize, before: usize) -> f32 {
+    after as f32 / before as f32
+}
+// ANCHOR_END: room
+
 /// A place in a list as a number of 32 bits. There are fewer than 2³⁰ of them: [`crate::structure::MOST_PRIMITIVES`].
 #[expect(clippy::cast_possible_truncation, reason = "see above")]
 pub(crate) fn number(n: usize) -> u32 {

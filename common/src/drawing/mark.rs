@@ -43,6 +43,10 @@ impl Mark {
         Self { bounds: form.bounds(), form, color, opacity, fade: None }
     }
 
+    pub(super) fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
     /// Let the paint vanish from one point to another.
     pub(super) fn fades(&mut self, from: Vec2, to: Vec2) {
         let way = to - from;
@@ -175,6 +179,11 @@ impl Bounds {
         points.into_iter().fold(empty, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
     }
 
+    /// The smallest that has all of two.
+    pub(super) fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
     fn grown(self, by: f32) -> Self {
         Self { min: self.min - by, max: self.max + by }
     }
@@ -184,7 +193,7 @@ impl Bounds {
     }
 
     /// Whether a point is inside or at most `margin` beside it.
-    fn contains(self, point: Vec2, margin: f32) -> bool {
+    pub(super) fn contains(self, point: Vec2, margin: f32) -> bool {
         let Self { min, max } = self.grown(margin);
         point.x >= min.x && point.x <= max.x && point.y >= min.y && point.y <= max.y
     }

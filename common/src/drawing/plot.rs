@@ -8,6 +8,8 @@ use super::{
     mark::Pen,
 };
 
+pub use super::axis::{Axis, Scale};
+
 /// Curves over two axes.
 #[derive(Clone, Debug)]
 pub struct Plot {
@@ -21,19 +23,6 @@ pub struct Plot {
     pub curves: Vec<Curve>,
     /// What the pens mean.
     pub legends: Vec<Legend>,
-}
-
-/// One of the axes, with a tick and a thin line at every multiple of a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Axis {
-    /// What is measured.
-    pub name: &'static str,
-    /// What follows a number at a tick, like `°`.
-    pub unit: &'static str,
-    /// Least and greatest value.
-    pub range: [f32; 2],
-    /// From one tick to the next.
-    pub step: f32,
 }
 
 /// A line through values of the axes.
@@ -52,31 +41,6 @@ pub struct Legend {
     pub at: Vec2,
     /// Pens and what they mean.
     pub keys: Vec<(Pen, &'static str)>,
-}
-
-impl Axis {
-    /// The values at the ticks.
-    fn ticks(&self) -> impl Iterator<Item = f32> {
-        /// More than this and they would be a gray area.
-        const MOST: u8 = 50;
-        let Self { range: [min, max], step, .. } = *self;
-        let first = (min / step).ceil();
-        let ticks = (0..MOST).map(move |i| (first + f32::from(i)) * step);
-        ticks.take_while(move |tick| *tick <= max + step * 1e-3)
-    }
-
-    /// Where a value lies between the ends of the axis, from 0 to 1.
-    fn share(&self, value: f32) -> f32 {
-        (value - self.range[0]) / (self.range[1] - self.range[0])
-    }
-
-    /// A value in figures.
-    fn label(&self, tick: f32) -> String {
-        // Computed with rounding errors: at most four decimals are meant.
-        let rounded = (tick * 1e4).round() / 1e4;
-        let sign = if rounded < 0.0 { "−" } else { "" };
-        format!("{sign}{}{}", rounded.abs(), self.unit)
-    }
 }
 
 impl Curve {
@@ -143,7 +107,7 @@ impl Plot {
         // The names stand where the axes end: one below the figures, one above them.
         let names = Lettering::new(Self::LETTER, FAINT);
         let below = Vec2::Y * (2.0 * Self::GAP + 4.0 * letters.drop());
-        drawing.text(self.x.name, at((left + right) / 2.0, bottom) + below, names.aligned(Align::Center));
+        drawing.text(self.x.name, at(self.x.middle(), bottom) + below, names.aligned(Align::Center));
         let above = Vec2::new(0.0, -1.6 * Self::GAP);
         drawing.text(self.y.name, at(left, top) + above, names);
     }
@@ -168,7 +132,7 @@ mod tests {
     use crate::{Rgb, picture::FilmPoint};
 
     fn plot(curves: Vec<Curve>) -> Plot {
-        let axis = |name, range, step| Axis { name, unit: "", range, step };
+        let axis = |name, range, step| Axis { name, unit: "", range, scale: Scale::Linear { step } };
         let (x, y) = (axis("x", [-1.0, 1.0], 0.5), axis("y", [0.0, 4.0], 2.0));
         Plot { page: Vec2::new(480.0, 360.0), x, y, curves, legends: Vec::new() }
     }
@@ -190,15 +154,5 @@ mod tests {
             assert_eq!(at(x, 4.0 * x * x), Rgb::X);
         }
         assert_eq!(at(0.25, 1.0), SLATE);
-    }
-
-    #[test]
-    fn ticks_are_round_numbers() {
-        let labels = |axis: Axis| axis.ticks().map(|t| axis.label(t)).collect::<Vec<_>>().join(" ");
-        assert_eq!(labels(plot(Vec::new()).x), "−1 −0.5 0 0.5 1");
-        assert_eq!(labels(Axis { name: "", unit: "°", range: [0.0, 90.0], step: 30.0 }), "0° 30° 60° 90°");
-        assert_eq!(labels(Axis { name: "", unit: "", range: [0.05, 0.35], step: 0.1 }), "0.1 0.2 0.3");
-        // No step, no ticks for ever.
-        assert!(Axis { name: "", unit: "", range: [0.0, 1.0], step: 0.0 }.ticks().count() <= 50);
     }
 }

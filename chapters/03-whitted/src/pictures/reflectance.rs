@@ -6,7 +6,7 @@ use common::{
         CHALK, Drawing, FAINT, SLATE,
         lettering::{Align, Lettering},
         mark::Pen,
-        plot::{Axis, Curve, Legend, Plot},
+        plot::{Axis, Curve, Legend, Plot, Scale},
     },
     film::Size,
     float,
@@ -109,7 +109,7 @@ fn legend(at: [f32; 2], keys: Vec<(Pen, &'static str)>) -> Legend {
 }
 
 fn plot(curves: Vec<Curve>, legends: [Legend; 2]) -> Plot {
-    let x = Axis { name: "angle of incidence", unit: "°", range: [0.0, 90.0], step: 15.0 };
-    let y = Axis { name: "reflectance", unit: " %", range: [0.0, 100.0], step: 20.0 };
+    let x = Axis { name: "angle of incidence", unit: "°", range: [0.0, 90.0], scale: Scale::Linear { step: 15.0 } };
+    let y = Axis { name: "reflectance", unit: " %", range: [0.0, 100.0], scale: Scale::Linear { step: 20.0 } };
     Plot { page: PANEL, x, y, curves, legends: legends.into() }
 }

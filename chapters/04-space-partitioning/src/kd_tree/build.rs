@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     primitives::Primitives,
-    subtree::{Subtree, TreeNode, number},
+    subtree::{ROOM, Subtree, TreeNode, growth, number},
 };
 
 /// A primitive and the box around the part of it that lies inside the cell.
@@ -28,8 +28,17 @@ pub(super) fn build<P: Primitives>(
     let mut tree = Subtree::new();
     // With n primitives a good tree is little deeper than log₂ n.
     let depth = (8 + 13 * references.len().max(1).ilog2() as usize / 10).min(MAX_DEPTH);
-    builder.grow(&mut tree, 0, references, aabb, depth, &mut Splitter::default());
+    builder.grow(&mut tree, 0, references, aabb, Limits { depth, room: ROOM }, &mut Splitter::default());
     tree.finish()
+}
+
+/// How far a cell may be divided.
+#[derive(Clone, Copy)]
+struct Limits {
+    /// How often it may be halved.
+    depth: usize,
+    /// By which factor its entries may grow in all.
+    room: f32,
 }
 
 struct Builder<'b, P> {
@@ -39,21 +48,23 @@ struct Builder<'b, P> {
 
 impl<P: Primitives> Builder<'_, P> {
     // ANCHOR: grow
-    /// Make `node` a leaf, or halve it and go on with both halves. `depth` says how often it may be halved.
+    /// Make `node` a leaf, or halve it and go on with both halves.
     fn grow(
         &self,
         tree: &mut Subtree<Node, P::Entry>,
         node: usize,
         references: Vec<Reference>,
         cell: Aabb,
-        depth: usize,
+        limits: Limits,
         splitter: &mut Splitter,
     ) {
-        let split = if depth == 0 { None } else { splitter.choose(self.rule, &references, &cell) };
-        let Some(split) = split else {
+        let split = if limits.depth == 0 { None } else { splitter.choose(self.rule, &references, &cell) };
+        let growth = |split: &Split| growth(split.lower + split.upper, references.len());
+        let Some(split) = split.filter(|split| growth(split) <= limits.room) else {
             tree.set_leaf(node, references.iter().map(|(number, _)| self.primitives.entry(*number)));
             return;
         };
+        let limits = Limits { depth: limits.depth - 1, room: limits.room / growth(&split).max(1.0) };
         let is_task = references.len() >= TASK;
         let [lower, upper] = self.part(references, &split);
         let [lower_cell, upper_cell] = halves(&cell, split.axis, split.position);
@@ -64,15 +75,15 @@ impl<P: Primitives> Builder<'_, P> {
             // Two cores can build the halves side by side. The result is the same, whoever is done first.
             let subtree = |references, cell| {
                 let mut subtree = Subtree::new();
-                self.grow(&mut subtree, 0, references, cell, depth - 1, &mut Splitter::default());
+                self.grow(&mut subtree, 0, references, cell, limits, &mut Splitter::default());
                 subtree
             };
             let both = common::parallel::join(|| subtree(lower, lower_cell), || subtree(upper, upper_cell));
             tree.hang(first, both.0);
             tree.hang(first + 1, both.1);
         } else {
-            self.grow(tree, first, lower, lower_cell, depth - 1, splitter);
-            self.grow(tree, first + 1, upper, upper_cell, depth - 1, splitter);
+            self.grow(tree, first, lower, lower_cell, limits, splitter);
+            self.grow(tree, first + 1, upper, upper_cell, limits, splitter);
         }
     }
     // ANCHOR_END: grow

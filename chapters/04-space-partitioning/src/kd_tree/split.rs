@@ -126,6 +126,12 @@ impl CellCost {
 }
 // ANCHOR_END: cost
 
+/// The plane by which a rule halves a cell of primitives, numbered and in boxes; `None` if it leaves the cell whole.
+#[must_use]
+pub fn choose(rule: Rule, boxes: &[(u32, Aabb)], cell: &Aabb) -> Option<Split> {
+    Splitter::default().choose(rule, boxes, cell)
+}
+
 /// Chooses planes. Keeps its memory from one cell to the next.
 #[derive(Default)]
 pub(super) struct Splitter {
@@ -155,6 +161,9 @@ impl Splitter {
         let half = middles.len() / 2;
         let (_, &mut position, _) = middles.select_nth_unstable_by(half, f32::total_cmp);
         let is_inside = cell.min[axis] < position && position < cell.max[axis];
-        is_inside.then_some(Split { axis, position, lower: half, upper: references.len() - half, cost: 0.0 })
+        let count = |is_there: &dyn Fn(&Aabb) -> bool| references.iter().filter(|(_, aabb)| is_there(aabb)).count();
+        let lower = count(&|aabb| aabb.min[axis] < position || aabb.max[axis] <= position);
+        let upper = count(&|aabb| aabb.max[axis] > position);
+        is_inside.then_some(Split { axis, position, lower, upper, cost: 0.0 })
     }
 }

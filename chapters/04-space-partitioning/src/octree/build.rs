@@ -5,7 +5,7 @@ use ray_casting::aabb::Aabb;
 use super::{DIVIDED, MAX_DEPTH, Node};
 use crate::{
     primitives::{Primitives, octant},
-    subtree::{Subtree, TreeNode, number},
+    subtree::{ROOM, Subtree, TreeNode, growth, number},
 };
 
 /// A primitive and the box around the part of it that lies inside the cell.
@@ -13,8 +13,8 @@ type Reference = (u32, Aabb);
 
 /// Cells with fewer primitives are not worth a task of their own.
 const TASK: usize = 8192;
-/// A division that makes more entries than this many for four primitives parts too little.
-const HOPELESS: usize = 7;
+/// A division that makes so many times as many entries as there were primitives parts too little.
+const HOPELESS: f32 = 1.75;
 
 /// The nodes and the lists of a whole tree.
 pub(super) fn build<P: Primitives>(
@@ -24,7 +24,7 @@ pub(super) fn build<P: Primitives>(
     aabb: Aabb,
 ) -> (Vec<Node>, Vec<P::Entry>) {
     let mut tree = Subtree::new();
-    Builder { primitives, few }.grow(&mut tree, 0, &references, &aabb, MAX_DEPTH);
+    Builder { primitives, few }.grow(&mut tree, 0, &references, &aabb, MAX_DEPTH, ROOM);
     tree.finish()
 }
 
@@ -48,7 +48,8 @@ struct Builder<'b, P> {
 
 impl<P: Primitives> Builder<'_, P> {
     // ANCHOR: grow
-    /// Make `node` a leaf, or divide it and go on with its parts. `depth` says how often it may be divided.
+    /// Make `node` a leaf, or divide it and go on with its parts. `depth` says how often it may be divided, and `room` by
+    /// which factor its entries may grow in all.
     fn grow(
         &self,
         tree: &mut Subtree<Node, P::Entry>,
@@ -56,17 +57,20 @@ impl<P: Primitives> Builder<'_, P> {
         references: &[Reference],
         cell: &Aabb,
         depth: usize,
+        room: f32,
     ) {
-        let parts = if references.len() <= self.few || depth == 0 { None } else { self.part(references, cell) };
-        let Some(parts) = parts else {
+        let parts = if references.len() <= self.few || depth == 0 { None } else { Some(self.part(references, cell)) };
+        let growth = |parts: &[Vec<Reference>; 8]| growth(parts.iter().map(Vec::len).sum(), references.len());
+        let Some(parts) = parts.filter(|parts| growth(parts) <= room.min(HOPELESS)) else {
             tree.set_leaf(node, references.iter().map(|(number, _)| self.primitives.entry(*number)));
             return;
         };
+        let room = room / growth(&parts).max(1.0);
         let first = tree.nodes.len();
         tree.nodes.extend([Node::EMPTY; 8]);
         tree.nodes[node] = Node { first: number(first), count: DIVIDED };
         let grow =
-            |tree: &mut _, node, i: usize| self.grow(tree, node, &parts[i], &octant(cell, cell.center(), i), depth - 1);
+            |tree: &mut _, node, i: usize| self.grow(tree, node, &parts[i], &octant(cell, cell.center(), i), depth - 1, room);
         if references.len() < TASK {
             (0..8).for_each(|i| grow(tree, first + i, i));
         } else {
@@ -84,8 +88,8 @@ impl<P: Primitives> Builder<'_, P> {
     // ANCHOR_END: grow
 
     // ANCHOR: part
-    /// Sort the primitives of a cell to its eight parts; `None` if most of them would be in several parts.
-    fn part(&self, references: &[Reference], cell: &Aabb) -> Option<[Vec<Reference>; 8]> {
+    /// Sort the primitives of a cell to its eight parts.
+    fn part(&self, references: &[Reference], cell: &Aabb) -> [Vec<Reference>; 8] {
         let middle = cell.center();
         // On a surface, four of the parts hold about a quarter each.
         let mut parts: [Vec<Reference>; 8] = std::array::from_fn(|_| Vec::with_capacity(references.len() / 3));
@@ -102,8 +106,7 @@ impl<P: Primitives> Builder<'_, P> {
                 part.extend(share.map(|aabb| (number, aabb)));
             }
         }
-        let entries: usize = parts.iter().map(Vec::len).sum();
-        (4 * entries < HOPELESS * references.len()).then_some(parts)
+        parts
     }
     // ANCHOR_END: part
 }

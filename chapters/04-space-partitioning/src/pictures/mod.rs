@@ -1,8 +1,16 @@
 //! The pictures of this chapter.
 
+mod building;
+mod cells;
+mod growth;
 mod heat;
+mod log_plots;
+mod losers;
+mod palette;
 mod scene;
 mod scenes;
+mod surface_area_cost;
+mod walks;
 
 use common::picture::Chapter;
 
@@ -30,5 +38,11 @@ pub const CHAPTER: Chapter = Chapter {
         scenes::STEPS[7],
         scenes::SHADED[8],
         scenes::STEPS[8],
+        walks::PICTURE,
+        cells::PICTURE,
+        surface_area_cost::PICTURE,
+        growth::PICTURE,
+        building::PICTURE,
+        losers::PICTURE,
     ],
 };

@@ -12,7 +12,7 @@ use crate::model::{Model, View};
 
 mod field;
 mod stands;
-mod teapot;
+pub(crate) mod teapot;
 
 /// A teapot in a stadium.
 pub const GENERATOR: Generator = Generator { name: "stadium", full_size: 1_000_000, make };

@@ -49,7 +49,7 @@ const HANDLE: [(f32, f32, f32); 7] = [
 ];
 
 /// The teapot in the middle of the field, with about so many triangles.
-pub(super) fn teapot(builder: &mut Builder, triangles: u32) {
+pub(crate) fn teapot(builder: &mut Builder, triangles: u32) {
     let wanted = builder.count() + triangles;
     builder.part("handle and knob of the teapot", Phong::of(srgb(238, 216, 176), 0.5, 60.0));
     swept(builder, &HANDLE, share(triangles, 0.16));

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use common::{Interval, Stream, Vec2, Vec3, parallel, picture::FilmPoint};
+use common::{Interval, Vec2, Vec3, parallel, picture::FilmPoint};
 use ray_casting::{aabb::Aabb, camera::Camera, hit::Hit, mesh::Mesh, ray::Ray};
 use space_partitioning::{
     choice::{Choice, Countable},
@@ -17,7 +17,6 @@ use space_partitioning::{
     octree::octree,
     primitives::Primitives,
     probe::{Counts, Walk},
-    query::Found,
     scenes::GENERATORS,
     slabs::Slabs,
     structure::{Partition, Structure},
@@ -179,7 +178,7 @@ fn counted<P: Primitives + 'static, T: Partition<P> + 'static>(
 
 /// The lengths of all lists.
 fn lengths<P: Primitives, T: Partition<P>>(structure: &Structure<P, T>) -> Vec<usize> {
-    structure.partition.cells().iter().map(|cell| cell.list.len()).collect()
+    structure.cells().iter().map(|cell| cell.list.len()).collect()
 }
 
 /// A number with so many digits that it says something.
@@ -222,42 +221,6 @@ fn nodes_and_lines(scene: &Scene) -> (f64, f64) {
     }
     let rays = scene.rays.len() as f64;
     (nodes as f64 / rays, lines as f64 / rays)
-}
-
-/// Rays of all kinds through a scene: at random, along the axes, in the faces of cells and boxes.
-fn hard_rays(scene: &Scene, seed: u64) -> Vec<Ray> {
-    let mut random = Stream::new(seed, 0, 0);
-    let Aabb { min, max } = scene.mesh.bounds();
-    let mut rays = Vec::new();
-    for i in 0..250 {
-        let mut any = || Vec3::from_array([(); 3].map(|()| random.uniform()));
-        let origin = min + (max - min) * (any() * 1.5 - 0.25);
-        let target = min + (max - min) * any();
-        let axis = [Vec3::X, Vec3::Y, Vec3::Z, -Vec3::X, -Vec3::Y, -Vec3::Z][i % 6];
-        // A plane in which the cells of the octree have their faces, and a corner of a triangle.
-        let eighth = min + (max - min).max_element() * ((any() * 8.0).floor() / 8.0);
-        let corner =
-            scene.mesh.triangle((any().x * scene.mesh.len() as f32) as usize % scene.mesh.len()).corners[i % 3];
-        rays.push(Ray::new(origin, target - origin));
-        rays.push(Ray::new(origin, axis));
-        rays.push(Ray::new(eighth - axis * (max - min).length(), axis));
-        rays.push(Ray::new(corner - axis * (max - min).length(), axis));
-    }
-    rays
-}
-
-/// How many rays all structures were asked about, and how many got another answer than from the test of all triangles.
-fn disagreements(name: &str, seed: u64) -> (u32, u32) {
-    let scene = Scene::of(name, 1_000);
-    let structures = Choice::ALL.map(|choice| choice.over(Arc::clone(&scene.mesh)).unwrap());
-    let bits = |found: Option<Found>| found.map(|Found { number, t }| (number, t.to_bits()));
-    let mut rays = hard_rays(&scene, seed);
-    rays.extend(&scene.rays);
-    let differ = |ray: &Ray| {
-        let right = bits(structures[0].find(ray, Interval::POSITIVE));
-        structures[1..].iter().any(|structure| bits(structure.find(ray, Interval::POSITIVE)) != right)
-    };
-    (rays.len() as u32, rays.iter().filter(|ray| differ(ray)).count() as u32)
 }
 
 pub(super) fn measured() -> String {
@@ -340,10 +303,5 @@ pub(super) fn measured() -> String {
             numbers.pin(&format!("{name}-{}-slope", choice.name()), slope(&points));
         }
     }
-    numbers.about("Rays, through all scenes with about 1,000 triangles, about which every structure was asked, and those of them with");
-    numbers.0.push_str("# another answer, in any bit, than from brute force.\n");
-    let answers = parallel::map(GENERATORS.len(), |i| disagreements(GENERATORS[i].name, i as u64));
-    numbers.pin("agreement-rays", grouped(answers.iter().map(|(rays, _)| rays).sum()));
-    numbers.pin("agreement-differences", answers.iter().map(|(_, differences)| differences).sum::<u32>());
     numbers.0
 }

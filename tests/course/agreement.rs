@@ -105,7 +105,8 @@ fn all_structures_agree_with_brute_force_to_the_last_bit() {
 #[test]
 fn a_hit_behind_the_cell_must_not_end_the_walk() {
     // A large triangle behind a small one, listed in the cell in front of it.
-    let corners = [[-1.0, -1.0, 0.9], [1.0, -1.0, 1.1], [0.0, 1.0, 1.0], [-0.1, -0.1, 0.6], [0.1, -0.1, 0.6], [0.0, 0.1, 0.6]];
+    let corners =
+        [[-1.0, -1.0, 0.9], [1.0, -1.0, 1.1], [0.0, 1.0, 1.0], [-0.1, -0.1, 0.6], [0.1, -0.1, 0.6], [0.0, 0.1, 0.6]];
     let soup = Soup::new("two", corners.map(common::Vec3::from).to_vec());
     let rivals = Rivals::of(&soup.mesh);
     let ray = Ray::new(common::Vec3::ZERO, common::Vec3::Z);

@@ -57,7 +57,8 @@ fn check<P: Primitives + Clone>(primitives: &P, rays: &[Ray]) -> Result<(), Stri
         Structure { partition, primitives: primitives.clone() }
     };
     one(&median(1), &expected, rays).map_err(|e| format!("median kd-tree: {e}"))?;
-    let dense = |density| Structure { partition: Grid::over(primitives, density).unwrap(), primitives: primitives.clone() };
+    let dense =
+        |density| Structure { partition: Grid::over(primitives, density).unwrap(), primitives: primitives.clone() };
     one(&dense(0.01), &expected, rays).map_err(|e| format!("grid of few cells: {e}"))?;
     one(&dense(40.0), &expected, rays).map_err(|e| format!("grid of many cells: {e}"))
 }
@@ -72,7 +73,12 @@ fn rays(points: &[Vec3], seed: u64) -> Vec<Ray> {
     let mut jitter = || Vec3::from_array([(); 3].map(|()| random.uniform() * 2.0 - 1.0)) * size;
     let aimed = |from: Vec3, to: Vec3| Ray::new(from, (to - from).try_normalize().unwrap_or(Vec3::Y));
     let mixed = ends.into_iter().flat_map(|(a, b)| {
-        [aimed(a + jitter() * 3.0, b), aimed(a, b), Ray::new(a - Vec3::X * 2.0 * size, Vec3::X), aimed(jitter(), jitter())]
+        [
+            aimed(a + jitter() * 3.0, b),
+            aimed(a, b),
+            Ray::new(a - Vec3::X * 2.0 * size, Vec3::X),
+            aimed(jitter(), jitter()),
+        ]
     });
     mixed.collect()
 }

@@ -27,12 +27,7 @@ impl Soup {
 }
 
 /// A soup of `count` triangles, each made by `triangle` from its place in a cube.
-fn soup(
-    name: &str,
-    count: u32,
-    random: &mut Stream,
-    mut triangle: impl FnMut(&mut Stream, Vec3) -> [Vec3; 3],
-) -> Soup {
+fn soup(name: &str, count: u32, random: &mut Stream, mut triangle: impl FnMut(&mut Stream, Vec3) -> [Vec3; 3]) -> Soup {
     let corners = (0..count).flat_map(|_| {
         let place = in_cube(random);
         triangle(random, place)
@@ -55,9 +50,7 @@ pub(crate) fn soups(random: &mut Stream) -> Vec<Soup> {
             let along = direction(random);
             [p, p + along, p + along * 0.5 + in_cube(random) * 1e-3]
         }),
-        soup("corners in a raster", 300, random, |random, p| {
-            [(); 3].map(|()| snapped(p + in_cube(random) * 0.2))
-        }),
+        soup("corners in a raster", 300, random, |random, p| [(); 3].map(|()| snapped(p + in_cube(random) * 0.2))),
         // Floors, walls and steps, whose planes are the planes of cells too.
         soup("upright in a raster", 300, random, |random, p| {
             let axis = one_of(random, 3);
@@ -160,7 +153,7 @@ impl Aim<'_> {
             // From a point of a surface, as bounces are.
             9 => Ray::new(self.surface(random), direction(random)),
             // From far away.
-            10 => aimed(center + direction(random) * size * magnitude(random, 10.0, 1e5), self.surface(random)),
+            10 => aimed(center + direction(random) * size * magnitude(random, 10.0, 1e4), self.surface(random)),
             // Nearly along an axis, not of unit length.
             _ => {
                 let tilt = in_cube(random) * magnitude(random, 1e-12, 1e-2);

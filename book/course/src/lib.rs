@@ -8,4 +8,5 @@ pub mod live;
 use common::picture::Chapter;
 
 /// The chapters in their order.
-pub const CHAPTERS: &[Chapter] = &[ray_casting::CHAPTER, shadows::CHAPTER, whitted::CHAPTER, space_partitioning::CHAPTER];
+pub const CHAPTERS: &[Chapter] =
+    &[ray_casting::CHAPTER, shadows::CHAPTER, whitted::CHAPTER, space_partitioning::CHAPTER];

@@ -84,6 +84,11 @@ impl Triangle {
     pub fn hit_by_barycentric(&self, along: &Shear, range: Interval) -> Option<TriangleHit> {
         let [r1, r2, r3] = self.corners;
         let (a, b, c) = (along.view(r1), along.view(r2), along.view(r3));
+        // All corners on one side of the ray: it passes by. This also keeps away triangles seen along their plane, whose
+        // weights are all rounding.
+        if is_beside(a.x, b.x, c.x) || is_beside(a.y, b.y, c.y) {
+            return None;
+        }
         // In this view the ray is the point (0, 0): each weight is twice the area of the triangle that the opposite
         // edge spans with it.
         let (wa, wb, wc) = (area(c, b), area(a, c), area(b, a));
@@ -97,6 +102,12 @@ impl Triangle {
         let t = weights[0] * a.z + weights[1] * b.z + weights[2] * c.z;
         range.contains(t).then_some(TriangleHit { t, weights })
     }
+}
+
+/// Whether three numbers all have the same sign, and none is zero.
+#[inline]
+fn is_beside(a: f32, b: f32, c: f32) -> bool {
+    (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0)
 }
 
 /// Twice the signed area of the triangle (0, 0), `p`, `q`.

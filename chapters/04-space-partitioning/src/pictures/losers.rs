@@ -131,8 +131,9 @@ mod tests {
             let mesh = Arc::new(Mesh::new(&model.mesh, model.shading).unwrap());
             let kd_tree = Choice::KdTree.over(Arc::clone(&mesh)).unwrap();
             let steps = steps(&mesh, kd_tree.as_ref(), &camera).unwrap().map(|[cells, tests]| cells + tests);
-            let others = (0..3).filter(|&other| other != i).map(|other| steps[other]);
-            assert!(others.fold(0.0, f32::max) < steps[i], "{}: {steps:?}", scene.title);
+            let best = steps.into_iter().fold(f32::INFINITY, f32::min);
+            assert!(steps[i] >= bars::LOST * best, "{}: {steps:?}", scene.title);
+            println!("{}: {steps:?}", scene.title);
         }
     }
 }

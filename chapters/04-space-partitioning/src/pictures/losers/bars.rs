@@ -20,6 +20,9 @@ const STEP: f32 = 34.0;
 /// Length of the longest bar, and height of all.
 const BAR: Vec2 = Vec2::new(118.0, 20.0);
 
+/// Who takes so many times as many steps as the best has lost.
+pub(super) const LOST: f32 = 2.0;
+
 /// A scene's title, why it is hard, and a bar for each structure; `at` is the scene's upper left corner.
 pub(super) fn draw(drawing: &mut Drawing, scene: &Scene, steps: &[[f32; 2]; 3], at: Vec2) {
     let middle = at + Vec2::X * (VIEW.x / 2.0);
@@ -29,11 +32,12 @@ pub(super) fn draw(drawing: &mut Drawing, scene: &Scene, steps: &[[f32; 2]; 3], 
     for (line, below) in scene.why.into_iter().zip([24.0, 44.0]) {
         drawing.text(line, foot + Vec2::Y * below, small);
     }
-    let most = steps.iter().map(|[cells, tests]| cells + tests).fold(1.0, f32::max);
+    let sums = steps.map(|[cells, tests]| cells + tests);
+    let (least, most) = (sums.into_iter().fold(f32::INFINITY, f32::min), sums.into_iter().fold(1.0, f32::max));
     let mut left = foot + BARS;
     for (choice, &[cells, tests]) in Choice::STRUCTURES.into_iter().zip(steps) {
         draw_bar(drawing, choice, [cells, tests].map(|count| count / most * BAR.x), left);
-        let is_loser = cells + tests >= most;
+        let is_loser = cells + tests >= LOST * least;
         let letters = Lettering::new(18.0, if is_loser { RED } else { CHALK });
         let words = format!("{:.0}", cells + tests);
         let right = left + Vec2::new((cells + tests) / most * BAR.x + 8.0, BAR.y / 2.0 + letters.drop());
@@ -48,7 +52,7 @@ pub(super) fn draw(drawing: &mut Drawing, scene: &Scene, steps: &[[f32; 2]; 3], 
 
 /// What the bars mean.
 pub(super) fn draw_legend(drawing: &mut Drawing) {
-    let words = "steps of a camera ray, the mean: cells visited dark, triangles tested bright";
+    let words = "mean steps of a camera ray: cells dark, tests bright; twice as many as the best is lost";
     let below = Vec2::new(PAGE.x / 2.0, PAGE.y - 16.0);
     drawing.text(words, below, Lettering::new(17.0, CHALK).aligned(Align::Center));
 }

@@ -37,11 +37,10 @@ pub(super) const PICTURE: Picture = Picture {
     name: "losers",
     alt: "Three scenes of about 2,000 triangles, and below each the mean number of steps of a camera ray in the \
           grid, the octree and the kd-tree as bars: cells visited dark, triangles tested bright. A teapot on a lawn \
-          before far stands: the grid takes more than nine times as many steps as the others, nearly all of them tests. \
-          A dandelion of thin triangles that meet in one point: the octree tests most of all triangles, the others \
-          few. An even cloud of small triangles: the kd-tree takes most steps, more of them nodes than tests, twice \
-          as many as the grid and a little more than the octree. The longest bar of each scene is marked in red as \
-          the loser.",
+          before far stands: the grid takes more than eight times as many steps as the others, nearly all of them \
+          tests. A dandelion of thin triangles that meet in one point: the octree tests most of all triangles, the \
+          others far fewer. An even cloud of small triangles: both trees take more than twice as many steps as the \
+          grid. Bars at least twice as long as the shortest of their scene are marked in red as losers.",
     knobs: &[TRIANGLES],
     size: Size::of::<960, 468>(),
     samples: 4,

@@ -25,6 +25,15 @@ const TRIANGLES: Knob = Knob::number(
     "triangles",
     Step::Times(2.0),
 );
+/// The same for heat maps: three structures are built, and one of them may be slow.
+const FEWER: Knob = Knob::number(
+    "triangles",
+    "about how many triangles",
+    [100.0, 20_000_000.0],
+    10_000.0,
+    "triangles",
+    Step::Times(2.0),
+);
 /// What finds them.
 const STRUCTURE: Knob = Knob::choice("structure", "what finds the triangles", &Choice::NAMES, Choice::KdTree as usize);
 /// Which steps a heat map shows.
@@ -49,13 +58,13 @@ pub(super) const fn steps(
     alt: &'static str,
     make: fn(&Settings) -> Result<Box<dyn Render>, Error>,
 ) -> Picture {
-    const KNOBS: &[Knob] = &[TRIANGLES, COUNTED, SCALE, ORBIT[0], ORBIT[1], ORBIT[2]];
+    const KNOBS: &[Knob] = &[FEWER, COUNTED, SCALE, ORBIT[0], ORBIT[1], ORBIT[2]];
     Picture { name, alt, knobs: KNOBS, size: Size::of::<1280, 440>(), samples: 1, takes_mesh: false, make }
 }
 
 /// A scene of the list of generators, in the light.
 pub(super) fn lit<const SCENE: usize>(settings: &Settings) -> Result<Box<dyn Render>, Error> {
-    let model = model(&GENERATORS[SCENE], settings);
+    let model = model(&GENERATORS[SCENE], settings, &TRIANGLES);
     let camera = camera(&model.view, settings)?;
     let choice = Choice::ALL[settings.values.index(&STRUCTURE).min(Choice::ALL.len() - 1)];
     Ok(Box::new(LitModel::new(model, choice, camera)?))
@@ -63,16 +72,16 @@ pub(super) fn lit<const SCENE: usize>(settings: &Settings) -> Result<Box<dyn Ren
 
 /// The same scene as heat maps.
 pub(super) fn heated<const SCENE: usize>(settings: &Settings) -> Result<Box<dyn Render>, Error> {
-    let model = model(&GENERATORS[SCENE], settings);
+    let model = model(&GENERATORS[SCENE], settings, &FEWER);
     let camera = camera(&model.view, settings)?;
     let mesh = Mesh::new(&model.mesh, model.shading)?;
     let counted = settings.values.index(&COUNTED);
     Ok(Box::new(HeatMaps::new(mesh, camera, counted, settings.values.number(&SCALE))?))
 }
 
-fn model(generator: &Generator, settings: &Settings) -> Model {
+fn model(generator: &Generator, settings: &Settings, triangles: &Knob) -> Model {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the knob's range is smaller")]
-    let triangles = settings.values.number(&TRIANGLES) as u32;
+    let triangles = settings.values.number(triangles) as u32;
     (generator.make)(triangles)
 }
 

@@ -77,13 +77,67 @@ pub(super) const SHADED: [Picture; 9] = [
 
 /// The cost of its rays, in the same order.
 pub(super) const STEPS: [Picture; 9] = [
-    steps("interior-steps", "HEAT reading room", heated::<0>),
-    steps("court-steps", "HEAT arcaded court", heated::<1>),
-    steps("clearing-steps", "HEAT clearing", heated::<2>),
-    steps("hair-ball-steps", "HEAT ball of hair", heated::<3>),
-    steps("plant-steps", "HEAT power plant", heated::<4>),
-    steps("square-steps", "HEAT village square", heated::<5>),
-    steps("sphere-flake-steps", "HEAT flake of spheres", heated::<6>),
-    steps("mountain-steps", "HEAT mountain", heated::<7>),
-    steps("stadium-steps", "HEAT teapot in the stadium", heated::<8>),
+    steps(
+        "interior-steps",
+        "The reading room as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
+         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
+         and yellow to nearly white for 200 or more.",
+        heated::<0>,
+    ),
+    steps(
+        "court-steps",
+        "The arcaded court as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
+         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
+         and yellow to nearly white for 200 or more.",
+        heated::<1>,
+    ),
+    steps(
+        "clearing-steps",
+        "The clearing as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
+         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
+         and yellow to nearly white for 200 or more.",
+        heated::<2>,
+    ),
+    steps(
+        "hair-ball-steps",
+        "The ball of hair as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
+         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
+         and yellow to nearly white for 200 or more.",
+        heated::<3>,
+    ),
+    steps(
+        "plant-steps",
+        "The power plant as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
+         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
+         and yellow to nearly white for 200 or more.",
+        heated::<4>,
+    ),
+    steps(
+        "square-steps",
+        "The village square as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
+         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
+         and yellow to nearly white for 200 or more.",
+        heated::<5>,
+    ),
+    steps(
+        "sphere-flake-steps",
+        "The flake of spheres as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
+         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
+         and yellow to nearly white for 200 or more.",
+        heated::<6>,
+    ),
+    steps(
+        "mountain-steps",
+        "The mountain as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
+         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
+         and yellow to nearly white for 200 or more.",
+        heated::<7>,
+    ),
+    steps(
+        "stadium-steps",
+        "The teapot in the stadium as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
+         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
+         and yellow to nearly white for 200 or more.",
+        heated::<8>,
+    ),
 ];

@@ -88,7 +88,7 @@ impl<E: Copy + Send + Sync> Grid<E> {
 
 impl Cells {
     /// More cells than that along one axis are never made.
-    const MOST: f32 = 1024.0;
+    const MOST: u32 = 1024;
 
     // ANCHOR: resolution
     /// Cells for a box: about so many, and as near to cubes as that allows.
@@ -96,12 +96,12 @@ impl Cells {
         let size = aabb.max - aabb.min;
         // A box without thickness has one layer of cells, and none of its sides may count as zero.
         let longest = size.max_element();
-        let sides = size.max(Vec3::splat(longest / Self::MOST));
+        let sides = size.max(Vec3::splat(longest / Self::MOST as f32));
         // Cubes of this side fill the box with the wanted number.
         let sides = sides / longest.max(f32::MIN_POSITIVE);
         let side = common::float::cbrt(sides.x * sides.y * sides.z / wanted.max(1.0));
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to 1024")]
-        let resolution = (sides / side).to_array().map(|n| (n.round().min(Self::MOST) as u32).max(1));
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, also what is no number")]
+        let resolution = (sides / side).to_array().map(|n| (n.round() as u32).clamp(1, Self::MOST));
         let counts = Vec3::from_array(resolution.map(|n| n as f32));
         Self { aabb, resolution, size: size / counts }
     }

@@ -100,7 +100,11 @@ impl Cells {
         // Cubes of this side fill the box with the wanted number.
         let sides = sides / longest.max(f32::MIN_POSITIVE);
         let side = common::float::cbrt(sides.x * sides.y * sides.z / wanted.max(1.0));
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, also what is no number")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "saturates, also what is no number"
+        )]
         let resolution = (sides / side).to_array().map(|n| (n.round() as u32).clamp(1, Self::MOST));
         let counts = Vec3::from_array(resolution.map(|n| n as f32));
         Self { aabb, resolution, size: size / counts }

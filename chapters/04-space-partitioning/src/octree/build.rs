@@ -59,7 +59,9 @@ impl<P: Primitives> Builder<'_, P> {
         depth: usize,
         room: f32,
     ) {
-        let parts = if references.len() <= self.few || depth == 0 { None } else { Some(self.part(references, cell)) };
+        // A cell without size has no parts.
+        let is_small = references.len() <= self.few || cell.min == cell.max;
+        let parts = if is_small || depth == 0 { None } else { Some(self.part(references, cell)) };
         let growth = |parts: &[Vec<Reference>; 8]| growth(parts.iter().map(Vec::len).sum(), references.len());
         let Some(parts) = parts.filter(|parts| growth(parts) <= room.min(HOPELESS)) else {
             tree.set_leaf(node, references.iter().map(|(number, _)| self.primitives.entry(*number)));

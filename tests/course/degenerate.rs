@@ -175,7 +175,6 @@ fn coordinate() -> impl Strategy<Value = f32> {
         // Values that meet again and again.
         4 => (-4_i8..=4).prop_map(|i| f32::from(i) / 4.0),
         1 => Just(-0.0),
-        1 => Just(f32::MIN_POSITIVE),
     ]
 }
 

@@ -191,7 +191,7 @@ proptest! {
         exponent in -6_i32..=6,
         shift in prop_oneof![Just(0.0_f32), Just(100.0)],
     ) {
-        let scale = 10.0_f32.powi(exponent);
+        let scale = common::float::pow(10.0, exponent as f32);
         let corners: Vec<_> = corners.iter().map(|c| (*c + shift) * scale).collect();
         prop_assert_eq!(check(&mesh(&corners), &rays(&corners, 9)), Ok(()));
     }

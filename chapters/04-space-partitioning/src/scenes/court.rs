@@ -156,11 +156,3 @@ fn lights() -> Vec<Box<dyn Light>> {
     }
     lights
 }
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn it_keeps_its_promises() {
-        crate::scenes::checks::keeps_its_promises(&super::GENERATOR);
-    }
-}

@@ -91,11 +91,3 @@ fn brass() -> Phong {
 fn wood(color: Rgb) -> Phong {
     Phong::of(color, 0.12, 30.0)
 }
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn it_keeps_its_promises() {
-        crate::scenes::checks::keeps_its_promises(&super::GENERATOR);
-    }
-}

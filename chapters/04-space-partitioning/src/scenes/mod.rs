@@ -5,8 +5,6 @@ pub mod arches;
 pub mod budget;
 pub mod builder;
 pub mod chance;
-#[cfg(test)]
-mod checks;
 pub mod clearing;
 pub mod court;
 pub mod foliage;

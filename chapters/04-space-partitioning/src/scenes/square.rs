@@ -73,11 +73,3 @@ fn lights() -> Vec<Box<dyn Light>> {
         Box::new(DirectionalLight::new(Vec3::new(0.7, 0.6, 1.0), Rgb::new(0.34, 0.32, 0.32))),
     ]
 }
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn it_keeps_its_promises() {
-        crate::scenes::checks::keeps_its_promises(&super::GENERATOR);
-    }
-}

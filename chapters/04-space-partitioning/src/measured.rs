@@ -43,7 +43,7 @@ impl Measured {
         Some(Self { row, build: build.parse().ok()?, ray: ray.parse().ok()? })
     }
 
-    /// The line that [`Measured::read`] reads.
+    /// The line of the table, as [`growth`] reads it.
     #[must_use]
     pub fn line(&self) -> String {
         let Row { choice, triangles, rays, counts, bytes } = self.row;

@@ -39,3 +39,15 @@ pub fn map<T: Send>(count: usize, one: impl Fn(usize) -> T + Send + Sync) -> Vec
     #[cfg(not(feature = "threads"))]
     (0..count).map(one).collect()
 }
+
+/// Do something with each of many things, side by side where that is possible. The results are in order. Unlike [`map`]
+/// this is meant for very many small pieces of work.
+pub fn map_slice<A: Sync, B: Send>(all: &[A], one: impl Fn(&A) -> B + Send + Sync) -> Vec<B> {
+    #[cfg(feature = "threads")]
+    {
+        use rayon::prelude::*;
+        all.par_iter().map(one).collect()
+    }
+    #[cfg(not(feature = "threads"))]
+    all.iter().map(one).collect()
+}

@@ -1,4 +1,6 @@
-//! Filling a grid: count what each cell will list, then write the lists one after the other.
+//! Filling a grid: note what each cell will list, then write the lists one after the other.
+
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use ray_casting::aabb::Aabb;
 
@@ -22,50 +24,61 @@ pub(super) fn fill<P: Primitives>(
     cells: &Cells,
     boxes: &[(u32, Aabb)],
 ) -> Option<(Vec<u32>, Vec<P::Entry>)> {
-    // Count what each cell will list.
+    let room = Room { entries: AtomicU64::new(0), most: SMALL.max(MOST_ENTRIES * boxes.len() as u64) };
     let blocks = Reach::blocks(cells);
-    let counts = common::parallel::map(blocks.len(), |i| count(primitives, cells, boxes, blocks[i]));
-    let entries: u64 = counts.iter().flatten().map(|&n| u64::from(n)).sum();
-    if entries > SMALL.max(MOST_ENTRIES * boxes.len() as u64) {
-        return None;
-    }
-    // Write the lists of each block, and put the blocks together.
-    let lists = common::parallel::map(blocks.len(), |i| write(primitives, cells, boxes, blocks[i], &counts[i]));
-    let mut all = Vec::with_capacity(lists.iter().map(Vec::len).sum());
-    lists.into_iter().for_each(|mut list| all.append(&mut list));
-    Some((begins(counts.into_iter().flatten()), all))
+    let filled = common::parallel::map(blocks.len(), |i| fill_block(primitives, cells, boxes, blocks[i], &room));
+    // Put the blocks together, and copy into the lists what a test needs.
+    let filled = filled.into_iter().collect::<Option<Vec<_>>>()?;
+    let (lengths, numbers): (Vec<_>, Vec<_>) = filled.into_iter().unzip();
+    let lists = common::parallel::map_slice(&numbers.concat(), |&number| primitives.entry(number));
+    Some((begins(lengths.into_iter().flatten()), lists))
 }
 
-/// How long the list of each cell of a block will be.
-fn count<P: Primitives>(primitives: &P, cells: &Cells, boxes: &[(u32, Aabb)], block: Reach) -> Vec<u32> {
-    let first = block.first(cells);
-    let mut counts = vec![0; block.count()];
-    for (number, aabb) in block.touched(cells, boxes) {
-        for_each_cell(primitives, cells, number, aabb, block, &mut |cell| counts[cell - first] += 1);
-    }
-    counts
-}
-
-/// The lists of the cells of a block, one after the other.
-fn write<P: Primitives>(
+/// How long the list of each cell of a block is, and the numbers in these lists, one list after the other; `None` if
+/// there is no room for them.
+fn fill_block<P: Primitives>(
     primitives: &P,
     cells: &Cells,
     boxes: &[(u32, Aabb)],
     block: Reach,
-    counts: &[u32],
-) -> Vec<P::Entry> {
-    let Some(&(any, _)) = boxes.first() else { return Vec::new() };
+    room: &Room,
+) -> Option<(Vec<u32>, Vec<u32>)> {
+    // Note who is in which cell, and count how long the cell's list will be.
     let first = block.first(cells);
-    // Where the next entry of each list goes.
-    let mut next = begins(counts.iter().copied());
-    let mut lists = vec![primitives.entry(any); next[counts.len()] as usize];
+    let mut lengths = vec![0; block.count()];
+    let mut notes: Vec<(usize, u32)> = Vec::new();
     for (number, aabb) in block.touched(cells, boxes) {
+        let before = notes.len();
         for_each_cell(primitives, cells, number, aabb, block, &mut |cell| {
-            lists[next[cell - first] as usize] = primitives.entry(number);
-            next[cell - first] += 1;
+            lengths[cell - first] += 1;
+            notes.push((cell - first, number));
         });
+        if !room.has(notes.len() - before) {
+            return None;
+        }
     }
-    lists
+    // Sort the notes by cell: each goes to where its cell's list has come to.
+    let mut next = begins(lengths.iter().copied());
+    let mut numbers = vec![0; notes.len()];
+    for (cell, number) in notes {
+        numbers[next[cell] as usize] = number;
+        next[cell] += 1;
+    }
+    Some((lengths, numbers))
+}
+
+/// How many entries all lists have together, and how many they may have.
+struct Room {
+    entries: AtomicU64,
+    most: u64,
+}
+
+impl Room {
+    /// Whether there is room for so many entries more.
+    fn has(&self, more: usize) -> bool {
+        let more = more as u64;
+        self.entries.fetch_add(more, Ordering::Relaxed) + more <= self.most
+    }
 }
 
 /// Where lists of these lengths begin, and where the last one ends.

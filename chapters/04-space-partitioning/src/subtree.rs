@@ -74,7 +74,7 @@ impl<N: TreeNode, E> Subtree<N, E> {
 // ANCHOR: room
 /// By which factor the entries of all lists may be more than the primitives. A primitive that reaches into both halves
 /// of a cell becomes two entries; without a limit, needles and overlapping things would fill the memory.
-pub(crate) const ROOM: f32 = 3.25;
+pub(crate) const ROOM: f32 = 3.5;
 
 /// By which factor a division makes the entries more.
 #[expect(clippy::cast_precision_loss, reason = "a ratio")]

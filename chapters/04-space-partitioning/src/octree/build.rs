@@ -13,8 +13,6 @@ type Reference = (u32, Aabb);
 
 /// Cells with fewer primitives are not worth a task of their own.
 const TASK: usize = 8192;
-/// A division that makes so many times as many entries as there were primitives parts too little.
-const HOPELESS: f32 = 1.75;
 
 /// The nodes and the lists of a whole tree.
 pub(super) fn build<P: Primitives>(
@@ -63,7 +61,7 @@ impl<P: Primitives> Builder<'_, P> {
         let is_small = references.len() <= self.few || cell.min == cell.max;
         let parts = if is_small || depth == 0 { None } else { Some(self.part(references, cell)) };
         let growth = |parts: &[Vec<Reference>; 8]| growth(parts.iter().map(Vec::len).sum(), references.len());
-        let Some(parts) = parts.filter(|parts| growth(parts) <= room.min(HOPELESS)) else {
+        let Some(parts) = parts.filter(|parts| growth(parts) <= room) else {
             tree.set_leaf(node, references.iter().map(|(number, _)| self.primitives.entry(*number)));
             return;
         };

@@ -1,16 +1,4 @@
-//! Noise: smooth chance over the plane, and sums of it that look like nature.
-
-use common::Stream;
-
-/// A number of the uniform distribution from `low` to `high`.
-pub(super) fn between(random: &mut Stream, low: f32, high: f32) -> f32 {
-    low + (high - low) * random.uniform()
-}
-
-/// An angle of the whole circle, in radians.
-pub(super) fn any_angle(random: &mut Stream) -> f32 {
-    std::f32::consts::TAU * random.uniform()
-}
+//! Noise: chance that changes smoothly over the plane, and sums of it that look like nature.
 
 /// A number between 0 and 1 that grows from `low` to `high` with a smooth start and end.
 pub(super) fn smooth_step(low: f32, high: f32, x: f32) -> f32 {

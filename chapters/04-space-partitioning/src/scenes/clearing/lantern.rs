@@ -1,12 +1,13 @@
 //! The middle of the clearing: a lantern on a stone, in a ring of standing stones.
 
-use common::{Stream, Vec2, Vec3, color::srgb, float};
+use common::{Vec2, Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
 use super::{
     super::{
         builder::Builder,
-        noise::{between, noise},
+        chance::Chance,
+        noise::noise,
         shape::{BOX, fineness},
     },
     ground,
@@ -78,17 +79,17 @@ pub(super) fn lantern(builder: &mut Builder, triangles: u32) {
 }
 
 /// The ring of standing stones, with about so many triangles.
-pub(super) fn stones(builder: &mut Builder, triangles: u32, random: &mut Stream) {
+pub(super) fn stones(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
     builder.part("standing stones", Phong::of(srgb(132, 134, 132), 0.0, 1.0));
     let stones = (triangles / 8).clamp(1, STONES);
     let fineness = fineness(triangles, stones);
     for stone in 0..stones {
         // A gap is toward the eye.
-        let angle = std::f32::consts::TAU * (0.33 + 0.84 * (stone as f32 + between(random, 0.4, 0.6)) / stones as f32);
+        let angle = std::f32::consts::TAU * (0.33 + 0.84 * (stone as f32 + chance.between(0.4, 0.6)) / stones as f32);
         let place = ground(RING * float::cos(angle), RING * float::sin(angle));
         let toward = Vec3::new(float::cos(angle), 0.0, float::sin(angle));
-        let half = Vec3::new(between(random, 0.24, 0.36), between(random, 0.5, 0.85), between(random, 0.14, 0.2));
-        let lean = Vec3::new(between(random, -0.12, 0.12), 1.0, between(random, -0.12, 0.12));
+        let half = Vec3::new(chance.between(0.24, 0.36), chance.between(0.5, 0.85), chance.between(0.14, 0.2));
+        let lean = Vec3::new(chance.around(0.12), 1.0, chance.around(0.12));
         standing_stone(
             builder,
             place,

@@ -8,6 +8,12 @@ pub fn share(triangles: u32, part: f32) -> u32 {
     (triangles as f32 * part) as u32
 }
 
+/// The same, not rounded before.
+#[must_use]
+pub fn exact_share(triangles: u32, part: f32) -> u32 {
+    (f64::from(triangles) * f64::from(part)) as u32
+}
+
 /// `i` of `n` equal steps from 0 to 1.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "a number of things or steps need not be exact")]

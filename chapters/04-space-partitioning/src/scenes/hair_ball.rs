@@ -8,10 +8,10 @@ use ray_casting::{
 };
 
 use super::{
-    Generator,
+    Generator, ball,
+    budget::{exact_share, number},
     builder::Builder,
     chance::Chance,
-    shape::{fineness, share},
 };
 use crate::model::{Model, View};
 
@@ -47,9 +47,9 @@ fn make(triangles: u32) -> Model {
 
     // The room, and the ball inside.
     builder.part("backdrop", Phong::of(srgb(96, 116, 124), 0.0, 1.0));
-    builder.backdrop(48.0, 9.0, 18.0, (triangles / 120).clamp(5, 14));
+    builder.backdrop(48.0, 9.0, 18.0, number(triangles, 120, [5, 14]));
     builder.part("core", Phong::of(srgb(58, 26, 22), 0.0, 1.0));
-    builder.globe(CENTER, CORE, fineness(share(triangles, 0.03), 1).clamp(1, 40));
+    builder.ball(CENTER, CORE, ball::fineness(exact_share(triangles, 0.03), 1).clamp(1, 40));
 
     // The hairs: at four times as many triangles about 2.5 times as many hairs, each of 1.6 times as many pieces.
     let for_hairs = builder.missing_to(triangles);

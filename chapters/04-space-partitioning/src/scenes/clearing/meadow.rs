@@ -4,7 +4,7 @@ use common::{Rgb, Vec2, Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
 use super::{
-    super::{builder::Builder, chance::Chance, noise::noise},
+    super::{budget::number, builder::Builder, chance::Chance, noise::noise},
     ground,
 };
 
@@ -119,7 +119,7 @@ fn flower(builder: &mut Builder, root: Vec3, height: f32, size: f32, chance: &mu
 pub(super) fn mushrooms(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
     let plain = triangles < 1500;
     let cap: &[(f32, f32)] = if plain { &PLAIN_CAP } else { &CAP };
-    let count = (triangles / if plain { 30 } else { 200 }).clamp(1, 46);
+    let count = number(triangles, if plain { 30 } else { 200 }, [1, 46]);
     // Two triangles for each segment and step.
     let steps = (cap.len() + STEM.len() - 2) as u32;
     let segments = (triangles / count / (2 * steps)).max(3);
@@ -142,7 +142,7 @@ pub(super) fn mushrooms(builder: &mut Builder, triangles: u32, chance: &mut Chan
         builder.part(name, Phong::of(color, gloss, 30.0));
         for &(foot, axis, size) in &all {
             let profile: Vec<Vec2> = section.iter().map(|&(x, y)| Vec2::new(x, y) * size).collect();
-            builder.revolve(foot, axis, &profile, segments);
+            builder.turned_around(foot, axis, &profile, segments);
         }
     };
     turned("mushrooms' stems", srgb(236, 226, 204), 0.0, &STEM);

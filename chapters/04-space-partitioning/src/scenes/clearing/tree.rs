@@ -5,9 +5,10 @@ use ray_casting::material::Phong;
 
 use super::{
     super::{
+        budget::{exact_share, number},
         builder::Builder,
         chance::Chance,
-        shape::{share, spline},
+        spline::on_spline,
     },
     ground,
 };
@@ -42,8 +43,8 @@ struct Tuft {
 /// All trees, with about so many triangles.
 pub(super) fn trees(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
     let wanted = builder.count() + triangles;
-    let wood = share(triangles, 0.3);
-    let trees = (wood / 12).clamp(2, PLACES.len() as u32);
+    let wood = exact_share(triangles, 0.3);
+    let trees = number(wood, 12, [2, PLACES.len() as u32]);
     let mut tufts = Vec::new();
     builder.part("bark", Phong::of(srgb(104, 82, 64), 0.0, 1.0));
     for &(x, z, height) in &PLACES[..trees as usize] {
@@ -75,10 +76,10 @@ fn tree(builder: &mut Builder, tufts: &mut Vec<Tuft>, foot: Vec3, height: f32, t
         .map(|i| foot + Vec3::Y * (height * 0.85 * i as f32 / 4.0 - 0.1) + bow(chance) * (i as f32 / 4.0))
         .collect();
     let trunk_radius = |t: f32| thick * (1.0 - 0.82 * t + 0.9 * float::pow(1.0 - t, 14.0));
-    tube(builder, &line, share(triangles, 0.22), 3.0, trunk_radius);
+    tube(builder, &line, exact_share(triangles, 0.22), 3.0, trunk_radius);
 
     // Roots that run out from the foot and sink into the ground.
-    let roots = (triangles / 120).min(7);
+    let roots = number(triangles, 120, [0, 7]);
     for root in 0..roots {
         let angle = std::f32::consts::TAU * (root as f32 + chance.around(0.25)) / roots as f32;
         let out = Vec3::new(float::cos(angle), 0.0, float::sin(angle));
@@ -90,25 +91,25 @@ fn tree(builder: &mut Builder, tufts: &mut Vec<Tuft>, foot: Vec3, height: f32, t
         };
         let line =
             [foot + Vec3::Y * 0.75, on_ground(0.36, 0.22), on_ground(0.6 * length, 0.06), on_ground(length, -0.14)];
-        tube(builder, &line, share(triangles, 0.16) / roots, 1.6, |t| thick * (0.62 - 0.5 * t));
+        tube(builder, &line, exact_share(triangles, 0.16) / roots, 1.6, |t| thick * (0.62 - 0.5 * t));
     }
 
     // Branches, the lower the longer, each with twigs.
-    let branches = (triangles / 26).clamp(2, 16);
+    let branches = number(triangles, 26, [2, 16]);
     for branch in 0..branches {
         let t = 0.42 + 0.55 * (branch as f32 + chance.between(0.0, 0.8)) / branches as f32;
         let angle = branch as f32 * 2.4 + chance.around(0.4);
         let out = Vec3::new(float::cos(angle), chance.between(0.25, 0.7), float::sin(angle)).normalize_or(Vec3::Y);
         let reach = height * (0.36 - 0.24 * t) * chance.between(0.8, 1.2);
-        let from = spline(&line, t);
+        let from = on_spline(&line, t);
         let line = [from, from + out * (0.5 * reach), from + (out * 0.9 + Vec3::Y * 0.35) * reach];
         let start = trunk_radius(t) * 0.6;
-        let budget = share(triangles, 0.6) / branches;
+        let budget = exact_share(triangles, 0.6) / branches;
         tube(builder, &line, if budget < 30 { 6 } else { budget / 2 }, 1.5, |t| start * (1.0 - 0.8 * t));
         tufts.push(Tuft { center: line[2], radius: 0.16 * height * chance.between(0.6, 0.9) });
         let twigs = (budget / 2 / 10).min(5);
         for _ in 0..twigs {
-            let from = spline(&line, chance.between(0.45, 0.95));
+            let from = on_spline(&line, chance.between(0.45, 0.95));
             let angle = chance.angle();
             let aside = Vec3::new(float::cos(angle), chance.between(-0.2, 0.8), float::sin(angle));
             let to = from + (aside + out * 0.6) * (0.35 * reach);
@@ -124,7 +125,7 @@ fn tree(builder: &mut Builder, tufts: &mut Vec<Tuft>, foot: Vec3, height: f32, t
 fn tube(builder: &mut Builder, line: &[Vec3], triangles: u32, slender: f32, radius: impl Fn(f32) -> f32) {
     let sides = ((triangles as f32 / 2.0 / slender).sqrt() as u32).clamp(3, 4000);
     let pieces = (triangles / (2 * sides)).max(1);
-    let points: Vec<Vec3> = (0..=pieces).map(|i| spline(line, i as f32 / pieces as f32)).collect();
+    let points: Vec<Vec3> = (0..=pieces).map(|i| on_spline(line, i as f32 / pieces as f32)).collect();
     builder.tube(&points, sides, |i| radius(i as f32 / pieces as f32));
 }
 
@@ -155,7 +156,7 @@ fn in_crown(chance: &mut Chance) -> Vec3 {
 
 /// The forest behind, which stands in the mist: two rows of firs, with about so many triangles.
 pub(super) fn far_trees(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
-    let trees = (triangles / 40).clamp(3, 90);
+    let trees = number(triangles, 40, [3, 90]);
     // Boughs of two triangles, around a trunk of six.
     let boughs = (triangles / trees / 2).saturating_sub(3).max(2);
     let rows = [("far firs", Rgb::new(1.0, 1.0, 1.0), 21.0), ("near firs", Rgb::new(0.5, 0.56, 0.52), 16.0)];

@@ -5,9 +5,10 @@ use ray_casting::material::Phong;
 
 use super::{
     super::{
+        budget::{exact_share, number},
         builder::Builder,
         chance::Chance,
-        shape::{BOX, share},
+        cuboid,
     },
     flange::flange,
     house::{HIGH, LOW},
@@ -42,7 +43,7 @@ struct Cut {
 pub(super) fn rack(builder: &mut Builder, triangles: u32) {
     let (z, left, right, height) = RACK;
     builder.part("pipe rack", Phong::of(srgb(92, 112, 118), 0.25, 20.0));
-    let frames = (triangles / (6 * BOX)).clamp(1, 24);
+    let frames = number(triangles, 6 * cuboid::COST, [1, 24]);
     let budget = triangles / frames / 5;
     for frame in 0..frames {
         let x = left + (right - left) * (frame as f32 + 0.5) / frames as f32;
@@ -64,21 +65,21 @@ pub(super) fn pipes(builder: &mut Builder, triangles: u32, chance: &mut Chance) 
     let cut = Cut { sides, bend, bolts: each > 450.0 };
     let start = builder.count();
     let mut until = 0.0;
-    let mut number = 0;
+    let mut bundle = 0;
     // The fewest have one color.
     let kinds = if triangles < 200 { &KINDS[..1] } else { &KINDS };
     for (i, &(name, [red, green, blue], part)) in kinds.iter().enumerate() {
         builder.part(name, Phong::of(srgb(red, green, blue), 0.5, 40.0));
         until += part;
         // The last take the rest.
-        let wanted = start + if i + 1 == kinds.len() { triangles } else { share(triangles, until) };
+        let wanted = start + if i + 1 == kinds.len() { triangles } else { exact_share(triangles, until) };
         let first = builder.count();
         while builder.count() < wanted || builder.count() == first {
             // Every third bundle lies on the rack.
-            let line = if number % 3 == 1 { rack_route(chance) } else { house_route(chance) };
+            let line = if bundle % 3 == 1 { rack_route(chance) } else { house_route(chance) };
             // The first are thick.
-            let radius = 0.5 * float::pow(1.0 + number as f32 / 5.0, -0.33) * chance.between(0.7, 1.2);
-            number += 1;
+            let radius = 0.5 * float::pow(1.0 + bundle as f32 / 5.0, -0.33) * chance.between(0.7, 1.2);
+            bundle += 1;
             let in_bundle = if cut.sides < 4 { 1 } else { 1 + chance.index(BUNDLE) };
             for i in 0..in_bundle {
                 if builder.count() < wanted || i == 0 {

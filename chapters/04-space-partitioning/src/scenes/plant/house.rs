@@ -1,14 +1,11 @@
 //! The boiler house: an open frame of many storeys with floors of gratings, railings and stairs.
 
-use common::{Stream, Vec3, color::srgb, float};
+use common::{Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
 use super::{
-    super::{
-        builder::Builder,
-        shape::{BOX, share},
-    },
-    steel::{column, flight, girder, grating, railing},
+    super::{budget::exact_share, builder::Builder, chance::Chance, cuboid},
+    steel::{column, flight, girder, grating, plate, railing},
 };
 
 /// The two corners of the house, in meters.
@@ -27,7 +24,7 @@ struct Grid {
 impl Grid {
     /// As fine as so many triangles allow, when each bay has about four beams.
     fn of(triangles: u32) -> Self {
-        let scale = (triangles as f32 / (BAYS.element_product() * 4.0 * BOX as f32)).max(0.0);
+        let scale = (triangles as f32 / (BAYS.element_product() * 4.0 * cuboid::COST as f32)).max(0.0);
         let scale = float::cbrt(scale).min(FINEST);
         Self { bays: (BAYS * scale).to_array().map(|bays| (bays as u32).max(1)) }
     }
@@ -45,25 +42,25 @@ impl Grid {
 }
 
 /// The house, with about so many triangles at most.
-pub(super) fn house(builder: &mut Builder, triangles: u32, random: &mut Stream) {
+pub(super) fn house(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
     builder.part("steel frame", Phong::of(srgb(92, 112, 118), 0.25, 20.0));
     if triangles < 200 {
-        return builder.upright(LOW, HIGH);
+        return plate(builder, LOW, HIGH);
     }
-    let for_frame = share(triangles, 0.32);
+    let for_frame = exact_share(triangles, 0.32);
     let grid = Grid::of(for_frame);
     frame(builder, &grid, for_frame);
 
     // Floors: about two bays of three have one, and the ground has none.
     builder.part("gratings", Phong::of(srgb(142, 144, 142), 0.2, 20.0));
     let [nx, ny, nz] = grid.bays;
-    let for_floor = share(triangles, 0.4) / grid.floors();
+    let for_floor = exact_share(triangles, 0.4) / grid.floors();
     for y in 1..=ny {
         for (x, z) in (0..nx).flat_map(|x| (0..nz).map(move |z| (x, z))) {
             let is_first = (x, y, z) == (0, 1, 0);
-            if is_first || random.uniform() < 0.68 {
+            if is_first || chance.happens(0.68) {
                 let (low, high) = (grid.at(x, y, z), grid.at(x + 1, y, z + 1));
-                grating(builder, low + Vec3::Y * 0.14, high + Vec3::Y * 0.22, share(for_floor, 1.4));
+                grating(builder, low + Vec3::Y * 0.14, high + Vec3::Y * 0.22, exact_share(for_floor, 1.4));
             }
         }
     }
@@ -71,7 +68,7 @@ pub(super) fn house(builder: &mut Builder, triangles: u32, random: &mut Stream) 
     // Railings on all four sides of each storey.
     builder.part("railings and stairs", Phong::of(srgb(226, 176, 56), 0.3, 30.0));
     let edges = 2 * (nx + nz) * ny;
-    let for_edge = share(triangles, 0.2) / edges;
+    let for_edge = exact_share(triangles, 0.2) / edges;
     let up = Vec3::Y * 0.2;
     for y in 1..=ny {
         for x in 0..nx {
@@ -86,7 +83,7 @@ pub(super) fn house(builder: &mut Builder, triangles: u32, random: &mut Stream) 
 
     // Stairs before the front, to and fro.
     let storeys = BAYS.y as u32;
-    let for_flight = share(triangles, 0.08) / storeys;
+    let for_flight = exact_share(triangles, 0.08) / storeys;
     let rise = (HIGH.y - LOW.y) / storeys as f32;
     for storey in 0..storeys {
         let (left, right) = (HIGH.x - 9.5, HIGH.x - 1.0);
@@ -101,8 +98,8 @@ fn frame(builder: &mut Builder, grid: &Grid, triangles: u32) {
     let [nx, ny, nz] = grid.bays;
     let columns = (nx + 1) * (nz + 1);
     let girders = ny * ((nx + 1) * nz + nx * (nz + 1));
-    let for_column = share(triangles, 0.2) / columns;
-    let for_girder = share(triangles, 0.8) / girders;
+    let for_column = exact_share(triangles, 0.2) / columns;
+    let for_girder = exact_share(triangles, 0.8) / girders;
     for (x, z) in (0..=nx).flat_map(|x| (0..=nz).map(move |z| (x, z))) {
         column(builder, grid.at(x, 0, z), grid.at(x, ny, z), 0.6, for_column);
         for y in 1..=ny {

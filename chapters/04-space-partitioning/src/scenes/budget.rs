@@ -8,13 +8,6 @@ pub fn share(triangles: u32, part: f32) -> u32 {
     (triangles as f32 * part) as u32
 }
 
-/// A share in the strict sense, which takes the part as the f32 that it is: 0.7 is a little less there, and of 1000 that
-/// makes 699.
-#[must_use]
-pub fn exact_share(triangles: u32, part: f32) -> u32 {
-    (f64::from(triangles) * f64::from(part)) as u32
-}
-
 /// `i` of `n` equal steps from 0 to 1.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "a number of things or steps need not be exact")]
@@ -60,7 +53,7 @@ mod tests {
     fn numbers_of_things() {
         assert_eq!([number(100, 30, [1, 9]), number(0, 30, [1, 9]), number(900, 30, [1, 9])], [3, 1, 9]);
         assert_eq!([share(1_000, 0.25), share(0, 0.5)], [250, 0]);
-        assert_eq!([share(1_000, 0.7), exact_share(1_000, 0.7)], [700, 699]);
+        assert_eq!(share(1_000, 0.7), 700);
         assert_eq!([ratio(1, 4), ratio(0, 0)], [0.25, 0.0]);
     }
 }

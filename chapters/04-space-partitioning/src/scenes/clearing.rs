@@ -9,7 +9,7 @@ use ray_casting::{
 
 use super::{
     Generator,
-    budget::exact_share,
+    budget::share,
     builder::Builder,
     chance::Chance,
     noise::{fractal, smooth_step},
@@ -35,16 +35,16 @@ fn make(triangles: u32) -> Model {
     let chance = |kind: u64| Chance::numbered(SEED, kind);
 
     builder.part("ground", Phong::of(srgb(70, 78, 46), 0.0, 1.0));
-    let cells = ((f64::from(exact_share(triangles, 0.05)) / 2.0).sqrt() as u32).clamp(2, 700);
+    let cells = ((f64::from(share(triangles, 0.05)) / 2.0).sqrt() as u32).clamp(2, 700);
     builder.surface(cells, cells, |u, v| ground(HALF * (2.0 * u - 1.0), HALF * (1.0 - 2.0 * v)));
 
     // The lantern is there in small scenes too.
-    lantern::lantern(&mut builder, exact_share(triangles, 0.02).max((triangles / 8).min(150)));
-    lantern::stones(&mut builder, exact_share(triangles, 0.04), &mut chance(1));
-    tree::far_trees(&mut builder, exact_share(triangles, 0.1), &mut chance(2));
-    tree::trees(&mut builder, exact_share(triangles, 0.46), &mut chance(3));
-    meadow::mushrooms(&mut builder, exact_share(triangles, 0.05), &mut chance(4));
-    meadow::flowers(&mut builder, exact_share(triangles, 0.04), &mut chance(5));
+    lantern::lantern(&mut builder, share(triangles, 0.02).max((triangles / 8).min(150)));
+    lantern::stones(&mut builder, share(triangles, 0.04), &mut chance(1));
+    tree::far_trees(&mut builder, share(triangles, 0.1), &mut chance(2));
+    tree::trees(&mut builder, share(triangles, 0.46), &mut chance(3));
+    meadow::mushrooms(&mut builder, share(triangles, 0.05), &mut chance(4));
+    meadow::flowers(&mut builder, share(triangles, 0.04), &mut chance(5));
     let missing = builder.missing_to(triangles);
     meadow::grass(&mut builder, missing, &mut chance(6));
 

@@ -9,7 +9,7 @@ use ray_casting::{
 
 use super::{
     Generator, ball,
-    budget::{exact_share, number},
+    budget::{number, share},
     builder::Builder,
     chance::Chance,
 };
@@ -49,7 +49,7 @@ fn make(triangles: u32) -> Model {
     builder.part("backdrop", Phong::of(srgb(96, 116, 124), 0.0, 1.0));
     builder.backdrop(48.0, 9.0, 18.0, number(triangles, 120, [5, 14]));
     builder.part("core", Phong::of(srgb(58, 26, 22), 0.0, 1.0));
-    builder.ball(CENTER, CORE, ball::fineness(exact_share(triangles, 0.03), 1).clamp(1, 40));
+    builder.ball(CENTER, CORE, ball::fineness(share(triangles, 0.03), 1).clamp(1, 40));
 
     // The hairs: at four times as many triangles about 2.5 times as many hairs, each of 1.6 times as many pieces.
     let for_hairs = builder.missing_to(triangles);

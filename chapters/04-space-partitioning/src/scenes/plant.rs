@@ -4,7 +4,7 @@
 use common::{Rgb, Vec3, color::srgb};
 use ray_casting::{light::DirectionalLight, material::Phong, mesh::Shading};
 
-use super::{Generator, budget::exact_share, builder::Builder, chance::Chance};
+use super::{Generator, budget::share, builder::Builder, chance::Chance};
 use crate::model::{Model, View};
 
 mod flange;
@@ -26,10 +26,10 @@ fn make(triangles: u32) -> Model {
     let chance = |kind: u64| Chance::numbered(SEED, kind);
 
     ground(&mut builder);
-    vessels::vessels(&mut builder, exact_share(triangles, 0.16));
-    house::house(&mut builder, exact_share(triangles, 0.34), &mut chance(1));
+    vessels::vessels(&mut builder, share(triangles, 0.16));
+    house::house(&mut builder, share(triangles, 0.34), &mut chance(1));
     if triangles >= 500 {
-        pipes::rack(&mut builder, exact_share(triangles, 0.02));
+        pipes::rack(&mut builder, share(triangles, 0.02));
     }
     // Pipes take all that is left.
     let missing = builder.missing_to(triangles);

@@ -11,7 +11,7 @@ use ray_casting::{
 
 use super::{
     Generator, ball,
-    budget::{exact_share, number},
+    budget::{number, share},
     builder::Builder,
 };
 use crate::model::{Model, View};
@@ -80,7 +80,7 @@ fn make(triangles: u32) -> Model {
 /// How finely the balls of each generation are cut, so that all together have about so many triangles.
 fn finenesses(triangles: u32) -> Vec<u32> {
     // As many generations as can be round: balls of the last one take a little more than half.
-    let last = exact_share(triangles, 0.66);
+    let last = share(triangles, 0.66);
     let round = |generation: u32| ball::cost(if generation > 2 { 2 } else { 1 });
     let mut deepest = 1;
     while deepest + 1 < GENERATIONS.len() as u32 && CHILDREN.pow(deepest + 1) * round(deepest + 1) <= last {

@@ -7,7 +7,7 @@ use ray_casting::{
     mesh::Shading,
 };
 
-use super::{Generator, budget::exact_share, builder::Builder};
+use super::{Generator, budget::share, builder::Builder};
 use crate::model::{Model, View};
 
 mod field;
@@ -26,10 +26,10 @@ const LAMPS: Vec3 = Vec3::new(92.0, 38.0, 78.0);
 fn make(triangles: u32) -> Model {
     let mut builder = Builder::default();
     builder.reserve(triangles);
-    let stadium = exact_share(triangles, 0.4).min(STADIUM);
+    let stadium = share(triangles, 0.4).min(STADIUM);
 
     field::field(&mut builder, stadium);
-    stands::stands(&mut builder, exact_share(stadium, 0.85));
+    stands::stands(&mut builder, share(stadium, 0.85));
     builder.part("floodlights", Phong::of(srgb(176, 182, 190), 0.3, 20.0));
     if stadium > 300 {
         for (x, z) in [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)] {

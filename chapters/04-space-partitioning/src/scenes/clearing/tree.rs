@@ -5,7 +5,7 @@ use ray_casting::material::Phong;
 
 use super::{
     super::{
-        budget::{exact_share, number},
+        budget::{number, share},
         builder::Builder,
         chance::Chance,
         spline::on_spline,
@@ -43,7 +43,7 @@ struct Tuft {
 /// All trees, with about so many triangles.
 pub(super) fn trees(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
     let wanted = builder.count() + triangles;
-    let wood = exact_share(triangles, 0.3);
+    let wood = share(triangles, 0.3);
     let trees = number(wood, 12, [2, PLACES.len() as u32]);
     let mut tufts = Vec::new();
     builder.part("bark", Phong::of(srgb(104, 82, 64), 0.0, 1.0));
@@ -76,7 +76,7 @@ fn tree(builder: &mut Builder, tufts: &mut Vec<Tuft>, foot: Vec3, height: f32, t
         .map(|i| foot + Vec3::Y * (height * 0.85 * i as f32 / 4.0 - 0.1) + bow(chance) * (i as f32 / 4.0))
         .collect();
     let trunk_radius = |t: f32| thick * (1.0 - 0.82 * t + 0.9 * float::pow(1.0 - t, 14.0));
-    tube(builder, &line, exact_share(triangles, 0.22), 3.0, trunk_radius);
+    tube(builder, &line, share(triangles, 0.22), 3.0, trunk_radius);
 
     // Roots that run out from the foot and sink into the ground.
     let roots = number(triangles, 120, [0, 7]);
@@ -91,7 +91,7 @@ fn tree(builder: &mut Builder, tufts: &mut Vec<Tuft>, foot: Vec3, height: f32, t
         };
         let line =
             [foot + Vec3::Y * 0.75, on_ground(0.36, 0.22), on_ground(0.6 * length, 0.06), on_ground(length, -0.14)];
-        tube(builder, &line, exact_share(triangles, 0.16) / roots, 1.6, |t| thick * (0.62 - 0.5 * t));
+        tube(builder, &line, share(triangles, 0.16) / roots, 1.6, |t| thick * (0.62 - 0.5 * t));
     }
 
     // Branches, the lower the longer, each with twigs.
@@ -104,7 +104,7 @@ fn tree(builder: &mut Builder, tufts: &mut Vec<Tuft>, foot: Vec3, height: f32, t
         let from = on_spline(&line, t);
         let line = [from, from + out * (0.5 * reach), from + (out * 0.9 + Vec3::Y * 0.35) * reach];
         let start = trunk_radius(t) * 0.6;
-        let budget = exact_share(triangles, 0.6) / branches;
+        let budget = share(triangles, 0.6) / branches;
         tube(builder, &line, if budget < 30 { 6 } else { budget / 2 }, 1.5, |t| start * (1.0 - 0.8 * t));
         tufts.push(Tuft { center: line[2], radius: 0.16 * height * chance.between(0.6, 0.9) });
         let twigs = (budget / 2 / 10).min(5);

@@ -4,7 +4,7 @@ use common::{Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
 use super::{
-    super::{budget::exact_share, builder::Builder, chance::Chance, cuboid},
+    super::{budget::share, builder::Builder, chance::Chance, cuboid},
     steel::{column, flight, girder, grating, plate, railing},
 };
 
@@ -47,20 +47,20 @@ pub(super) fn house(builder: &mut Builder, triangles: u32, chance: &mut Chance) 
     if triangles < 200 {
         return plate(builder, LOW, HIGH);
     }
-    let for_frame = exact_share(triangles, 0.32);
+    let for_frame = share(triangles, 0.32);
     let grid = Grid::of(for_frame);
     frame(builder, &grid, for_frame);
 
     // Floors: about two bays of three have one, and the ground has none.
     builder.part("gratings", Phong::of(srgb(142, 144, 142), 0.2, 20.0));
     let [nx, ny, nz] = grid.bays;
-    let for_floor = exact_share(triangles, 0.4) / grid.floors();
+    let for_floor = share(triangles, 0.4) / grid.floors();
     for y in 1..=ny {
         for (x, z) in (0..nx).flat_map(|x| (0..nz).map(move |z| (x, z))) {
             let is_first = (x, y, z) == (0, 1, 0);
             if is_first || chance.happens(0.68) {
                 let (low, high) = (grid.at(x, y, z), grid.at(x + 1, y, z + 1));
-                grating(builder, low + Vec3::Y * 0.14, high + Vec3::Y * 0.22, exact_share(for_floor, 1.4));
+                grating(builder, low + Vec3::Y * 0.14, high + Vec3::Y * 0.22, share(for_floor, 1.4));
             }
         }
     }
@@ -68,7 +68,7 @@ pub(super) fn house(builder: &mut Builder, triangles: u32, chance: &mut Chance) 
     // Railings on all four sides of each storey.
     builder.part("railings and stairs", Phong::of(srgb(226, 176, 56), 0.3, 30.0));
     let edges = 2 * (nx + nz) * ny;
-    let for_edge = exact_share(triangles, 0.2) / edges;
+    let for_edge = share(triangles, 0.2) / edges;
     let up = Vec3::Y * 0.2;
     for y in 1..=ny {
         for x in 0..nx {
@@ -83,7 +83,7 @@ pub(super) fn house(builder: &mut Builder, triangles: u32, chance: &mut Chance) 
 
     // Stairs before the front, to and fro.
     let storeys = BAYS.y as u32;
-    let for_flight = exact_share(triangles, 0.08) / storeys;
+    let for_flight = share(triangles, 0.08) / storeys;
     let rise = (HIGH.y - LOW.y) / storeys as f32;
     for storey in 0..storeys {
         let (left, right) = (HIGH.x - 9.5, HIGH.x - 1.0);
@@ -98,8 +98,8 @@ fn frame(builder: &mut Builder, grid: &Grid, triangles: u32) {
     let [nx, ny, nz] = grid.bays;
     let columns = (nx + 1) * (nz + 1);
     let girders = ny * ((nx + 1) * nz + nx * (nz + 1));
-    let for_column = exact_share(triangles, 0.2) / columns;
-    let for_girder = exact_share(triangles, 0.8) / girders;
+    let for_column = share(triangles, 0.2) / columns;
+    let for_girder = share(triangles, 0.8) / girders;
     for (x, z) in (0..=nx).flat_map(|x| (0..=nz).map(move |z| (x, z))) {
         column(builder, grid.at(x, 0, z), grid.at(x, ny, z), 0.6, for_column);
         for y in 1..=ny {

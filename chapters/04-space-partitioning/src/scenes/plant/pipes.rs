@@ -5,7 +5,7 @@ use ray_casting::material::Phong;
 
 use super::{
     super::{
-        budget::{exact_share, number},
+        budget::{number, share},
         builder::Builder,
         chance::Chance,
         cuboid,
@@ -72,7 +72,7 @@ pub(super) fn pipes(builder: &mut Builder, triangles: u32, chance: &mut Chance) 
         builder.part(name, Phong::of(srgb(red, green, blue), 0.5, 40.0));
         until += part;
         // The last take the rest.
-        let wanted = start + if i + 1 == kinds.len() { triangles } else { exact_share(triangles, until) };
+        let wanted = start + if i + 1 == kinds.len() { triangles } else { share(triangles, until) };
         let first = builder.count();
         while builder.count() < wanted || builder.count() == first {
             // Every third bundle lies on the rack.

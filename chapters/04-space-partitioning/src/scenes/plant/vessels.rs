@@ -6,7 +6,7 @@ use ray_casting::material::Phong;
 use super::{
     super::{
         ball,
-        budget::{exact_share, number},
+        budget::{number, share},
         builder::Builder,
     },
     steel::railing,
@@ -69,12 +69,12 @@ const TOWER: [(f32, f32); 8] =
 /// All of them, with about so many triangles.
 pub(super) fn vessels(builder: &mut Builder, triangles: u32) {
     // Chimneys, in bands that grow narrower.
-    let chimneys = some(&CHIMNEYS, exact_share(triangles, 0.14), 6 * 4);
+    let chimneys = some(&CHIMNEYS, share(triangles, 0.14), 6 * 4);
     let bands = if triangles < 400 { 2 } else { BANDS };
     for (name, color, parity) in [("chimneys, white", srgb(228, 222, 212), 0), ("chimneys, red", srgb(188, 66, 50), 1)]
     {
         builder.part(name, Phong::of(color, 0.1, 10.0));
-        let budget = exact_share(triangles, 0.14) / (chimneys.len() as u32 * bands);
+        let budget = share(triangles, 0.14) / (chimneys.len() as u32 * bands);
         for &(x, z, radius, height) in chimneys {
             for band in (0..bands).filter(|band| band % 2 == parity) {
                 let at = |band: u32| band as f32 / bands as f32;
@@ -86,16 +86,16 @@ pub(super) fn vessels(builder: &mut Builder, triangles: u32) {
     }
 
     builder.part("cooling towers", Phong::of(srgb(186, 182, 174), 0.0, 1.0));
-    all(builder, some(&TOWERS, exact_share(triangles, 0.12), 42), &TOWER, exact_share(triangles, 0.12));
+    all(builder, some(&TOWERS, share(triangles, 0.12), 42), &TOWER, share(triangles, 0.12));
     builder.part("columns and boilers", Phong::of(srgb(176, 182, 186), 0.5, 30.0));
-    all(builder, some(&COLUMNS, exact_share(triangles, 0.24), 54), &COLUMN, exact_share(triangles, 0.24));
+    all(builder, some(&COLUMNS, share(triangles, 0.24), 54), &COLUMN, share(triangles, 0.24));
 
     builder.part("tanks and gas holders", Phong::of(srgb(232, 228, 216), 0.2, 24.0));
-    let tanks = some(&TANKS, exact_share(triangles, 0.24), 42);
-    all(builder, tanks, &TANK, exact_share(triangles, 0.24));
+    let tanks = some(&TANKS, share(triangles, 0.24), 42);
+    all(builder, tanks, &TANK, share(triangles, 0.24));
     let holders = &HOLDERS[..number(triangles, 80, [1, HOLDERS.len() as u32]) as usize];
     for &(x, z, radius) in holders {
-        let fineness = ball::fineness(exact_share(triangles, 0.12), holders.len() as u32).max(2);
+        let fineness = ball::fineness(share(triangles, 0.12), holders.len() as u32).max(2);
         builder.ball(Vec3::new(x, radius + 2.5, z), radius, fineness);
     }
 
@@ -109,7 +109,7 @@ pub(super) fn vessels(builder: &mut Builder, triangles: u32) {
             }
         }
         let pieces = 24;
-        let budget = exact_share(triangles, 0.1) / (pieces * tanks.len() as u32);
+        let budget = share(triangles, 0.1) / (pieces * tanks.len() as u32);
         for &(x, z, radius, height) in tanks {
             for piece in 0..pieces {
                 let at =

@@ -4,7 +4,7 @@ use common::{Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
 use super::super::{
-    budget::{exact_share, number},
+    budget::{number, share},
     builder::Builder,
 };
 
@@ -45,7 +45,7 @@ pub(super) fn field(builder: &mut Builder, triangles: u32) {
             goal(builder, side * HALF.0);
         }
         // The circle in the middle.
-        let pieces = exact_share(triangles, 0.02).clamp(12, 96);
+        let pieces = share(triangles, 0.02).clamp(12, 96);
         builder.surface(pieces, 1, |u, v| {
             let angle = std::f32::consts::TAU * u;
             let radius = CIRCLE + half - LINE * v;

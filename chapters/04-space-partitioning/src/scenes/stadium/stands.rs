@@ -3,7 +3,7 @@
 use common::{Vec2, Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
-use super::super::{budget::exact_share, builder::Builder, cuboid};
+use super::super::{budget::share, builder::Builder, cuboid};
 
 /// Half the inner length and width of the ring of stands, in meters.
 const INNER: Vec2 = Vec2::new(66.0, 46.0);
@@ -62,7 +62,7 @@ pub(super) fn stands(builder: &mut Builder, triangles: u32) {
     }
 
     if triangles > 150 {
-        roof(builder, segments, exact_share(triangles, 0.1) / cuboid::COST);
+        roof(builder, segments, share(triangles, 0.1) / cuboid::COST);
     }
 }
 

@@ -3,7 +3,7 @@
 use common::{Vec2, Vec3, color::srgb};
 use ray_casting::material::Phong;
 
-use super::super::{budget::exact_share, builder::Builder, spline::on_spline};
+use super::super::{budget::share, builder::Builder, spline::on_spline};
 
 /// Half sections, from below to above: distance from the axis and height, in meters.
 const BODY: [(f32, f32); 13] = [
@@ -49,12 +49,12 @@ const HANDLE: [(f32, f32, f32); 7] = [
 pub(crate) fn teapot(builder: &mut Builder, triangles: u32) {
     let wanted = builder.count() + triangles;
     builder.part("handle and knob of the teapot", Phong::of(srgb(238, 216, 176), 0.5, 60.0));
-    swept(builder, &HANDLE, exact_share(triangles, 0.16));
-    turned(builder, &KNOB, exact_share(triangles, 0.07));
+    swept(builder, &HANDLE, share(triangles, 0.16));
+    turned(builder, &KNOB, share(triangles, 0.07));
 
     builder.part("teapot", Phong::of(srgb(206, 62, 44), 0.7, 110.0));
-    swept(builder, &SPOUT, exact_share(triangles, 0.17));
-    turned(builder, &LID, exact_share(triangles, 0.15));
+    swept(builder, &SPOUT, share(triangles, 0.17));
+    turned(builder, &LID, share(triangles, 0.15));
     let body = builder.missing_to(wanted);
     turned(builder, &BODY, body);
 }

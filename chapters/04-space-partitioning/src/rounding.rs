@@ -10,7 +10,7 @@
 /// Two things lie beyond that. A ray that starts on a triangle may hit it by rounding alone, so near that `t` means
 /// nothing: who starts a ray from a surface keeps clear of it, as chapter 2 does. And where products of coordinates come
 /// near the smallest numbers of `f32`, digits are lost: coordinates should be zero, or greater than about 10⁻¹⁸.
-pub const SLACK: f32 = 16.0 * f32::EPSILON;
+pub const SLACK: f32 = 8.0 * f32::EPSILON;
 // ANCHOR_END: slack
 
 /// A little before `t`.

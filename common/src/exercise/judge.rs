@@ -90,8 +90,9 @@ fn endless(patience: Duration, tried: Option<String>) -> Diagnosis {
     const NAME: &str = "endless";
     let got = format!("no answer after {} seconds", patience.as_secs());
     let advice = "Is there a loop that never ends? It may end for ordinary input and not for this one, for instance when the \
-                  input is very great, zero or negative. To find out, print with `eprintln!` in the loop what should come to \
-                  an end: the last lines that were printed are shown.";
+                  input is very great, zero or negative. Or is it only slow, with many more steps than it must take? To find \
+                  out, print with `eprintln!` in the loop what should come to an end: the last lines that were printed are \
+                  shown.";
     match tried {
         Some(tried) => {
             let expected = "an answer at once".into();

@@ -106,7 +106,7 @@ pub(crate) fn build(root: &Path, package: &str, examples: &[String], messages: M
     }
     if progress::is_new(root) {
         // All libraries are built too, which takes a while: let cargo show that something happens.
-        terminal::note("The first time, everything must be built. This takes a minute or two.");
+        terminal::note("The first time, everything must be built. This takes some minutes.");
         progress::begin(root)?;
     } else {
         command.arg("--quiet");

@@ -65,8 +65,13 @@ pub(crate) fn check<T: TwoLevel>() -> Verdict {
 }
 
 fn block_words(numbers: &[u32], block: &Aabb) -> String {
+    const MANY_DIGITS: f32 = 1e9;
+    let triangles = words::counted(numbers.len(), "triangle");
+    if block.max.x > MANY_DIGITS {
+        return format!("the block from {:e} to {:e} along each axis, and {triangles}", block.min.x, block.max.x);
+    }
     let (min, max) = (words::triple(block.min), words::triple(block.max));
-    format!("the block from {min} to {max}, and {}", words::counted(numbers.len(), "triangle"))
+    format!("the block from {min} to {max}, and {triangles}")
 }
 
 fn content<T: TwoLevel>(triangles: &Triangles, numbers: &[u32], block: &Aabb) -> Content<Entry> {
@@ -153,8 +158,8 @@ fn block<T: TwoLevel>(triangles: &Triangles, numbers: &[u32], block: &Aabb) -> V
 
 /// A block with many primitives, and no grid over them: twice their size is no number any more.
 fn block_without_grid<T: TwoLevel>() -> Verdict {
-    let far = 0.9 * f32::MAX;
-    let corners = |y: u16| [Vec3::new(0.0, f32::from(y), 0.0), Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 0.0, far)];
+    const FAR: f32 = 3e38;
+    let corners = |y: u16| [Vec3::new(0.0, f32::from(y), 0.0), Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 0.0, FAR)];
     let mut builder = Builder::default();
     for y in 1..40 {
         let corners = corners(y).map(|corner| builder.vertex(corner));
@@ -162,7 +167,7 @@ fn block_without_grid<T: TwoLevel>() -> Verdict {
     }
     let triangles = triangles(&builder.mesh);
     let numbers: Vec<u32> = (0..triangles.count()).collect();
-    let block = Aabb { min: Vec3::splat(-far), max: Vec3::splat(far) };
+    let block = Aabb { min: Vec3::splat(-FAR), max: Vec3::splat(FAR) };
     let content = content::<T>(&triangles, &numbers, &block);
     let got = match &content {
         Content::List(list) => list.iter().map(|entry| triangles.number(entry)).collect::<Vec<_>>(),

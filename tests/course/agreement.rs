@@ -1,6 +1,6 @@
 //! Every structure finds the same as the loop over all triangles: the same triangle, at the same `t`, to the last bit.
 //!
-//! A million rays in the test run. A hundred million, and larger scenes, in the long run, which takes some minutes:
+//! A million rays in the test run. A hundred million, and larger scenes, in the long run:
 //! `LONG_RUN=1 cargo test --release -p tests agreement -- --nocapture`.
 
 use std::sync::Arc;

@@ -27,7 +27,7 @@ impl Domain {
     }
 
     /// Where in the unit square a sample belongs.
-    pub(super) fn to_square(self, [x, y, z]: Point) -> [f64; 2] {
+    pub(super) fn square_of(self, [x, y, z]: Point) -> [f64; 2] {
         let turn = f64::from(float::atan2(y as f32, x as f32)) / TAU;
         let along = match self {
             // Slices of a sphere of equal height have equal area.
@@ -38,7 +38,7 @@ impl Domain {
     }
 
     /// What belongs to a point of the unit square.
-    pub(super) fn from_square(self, [along, turn]: [f64; 2]) -> Point {
+    pub(super) fn point_at(self, [along, turn]: [f64; 2]) -> Point {
         let (cos, sin) = (float::cos_f64(turn * TAU), float::sin_f64(turn * TAU));
         let (radius, z) = match self {
             Domain::Sphere => {
@@ -72,7 +72,7 @@ pub(super) fn mean(low: [f64; 2], size: [f64; 2], pieces: u32, function: impl Fn
 fn there_and_back() {
     for domain in [Domain::Sphere, Domain::Disc] {
         for square in [[0.3, 0.2], [0.9, 0.99], [0.01, 0.5]] {
-            let back = domain.to_square(domain.from_square(square));
+            let back = domain.square_of(domain.point_at(square));
             assert!((0..2).all(|i| (back[i] - square[i]).abs() < 1e-6), "{square:?} {back:?}");
         }
     }

@@ -35,12 +35,12 @@ pub(super) fn chance(subject: &Subject, seed: u64) -> f64 {
     let mut random = Stream::new(seed, 0, 0);
     let mut counts = vec![0_u32; rows * columns];
     for _ in 0..COUNT {
-        let square = subject.domain.to_square((subject.draw)(&mut random));
+        let square = subject.domain.square_of((subject.draw)(&mut random));
         let [row, column] = [0, 1].map(|axis| (square[axis] * CELLS[axis] as f64) as usize);
         counts[row.min(rows - 1) * columns + column.min(columns - 1)] += 1;
     }
     let size = CELLS.map(|cells| 1.0 / cells as f64);
-    let density = |square| (subject.pdf)(subject.domain.from_square(square)) * subject.domain.area();
+    let density = |square| (subject.pdf)(subject.domain.point_at(square)) * subject.domain.area();
     let (mut chi_square, mut cells) = (0.0, 0);
     for (i, &count) in counts.iter().enumerate() {
         let low = [i / columns, i % columns];

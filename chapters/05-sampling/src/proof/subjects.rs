@@ -108,7 +108,7 @@ pub(super) const SUBJECTS: [Subject; 9] = [
 
 /// The integral of the density over the domain.
 pub(super) fn integral_of_density(subject: &Subject) -> f64 {
-    let density = |square| (subject.pdf)(subject.domain.from_square(square));
+    let density = |square| (subject.pdf)(subject.domain.point_at(square));
     subject.domain.area() * super::chart::mean([0.0; 2], [1.0; 2], 200, density)
 }
 

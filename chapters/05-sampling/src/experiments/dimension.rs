@@ -30,7 +30,7 @@ pub struct Convergence {
     pub regular: Vec<[f64; 2]>,
     /// `[count, error]` of random samples; the error is the root of the mean square over all runs.
     pub random: Vec<[f64; 2]>,
-    /// What the last error of the random samples should be, σ = D[f]/√M.
+    /// What the last error of the random samples should be: σ, the standard deviation of the function over √M.
     pub sigma: f64,
 }
 

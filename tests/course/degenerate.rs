@@ -19,6 +19,7 @@ use space_partitioning::{
     kd_tree::{KdTree, kd_tree, split::Rule},
     octree::{Octree, octree},
     primitives::{Bounded, Primitives},
+    query::Found,
     structure::{Partition, Structure, StructureError},
     triangles::Triangles,
 };
@@ -27,18 +28,21 @@ use crate::soups::soups;
 
 /// What must hold for a structure, whatever it holds.
 fn check<P: Primitives + Clone>(primitives: &P, rays: &[Ray]) -> Result<(), String> {
-    fn one<P: Primitives, T: Partition<P>>(
-        structure: &Structure<P, T>,
-        expected: &[Option<space_partitioning::query::Found>],
-        rays: &[Ray],
-    ) -> Result<(), String> {
+    check_in(Interval::POSITIVE, primitives, rays)
+}
+
+/// The same for hits in a range.
+fn check_in<P: Primitives + Clone>(range: Interval, primitives: &P, rays: &[Ray]) -> Result<(), String> {
+    /// A ray, where its hits count, and which of them is the nearest.
+    type Asked<'r> = (&'r Ray, Interval, Option<Found>);
+    fn one<P: Primitives, T: Partition<P>>(structure: &Structure<P, T>, asked: &[Asked<'_>]) -> Result<(), String> {
         structure.validate()?;
-        for (ray, expected) in rays.iter().zip(expected) {
-            let found = structure.nearest(ray, Interval::POSITIVE, &mut ());
-            if found != *expected {
+        for &(ray, range, expected) in asked {
+            let found = structure.nearest(ray, range, &mut ());
+            if found != expected {
                 return Err(format!("{found:?} instead of {expected:?} for {ray:?}"));
             }
-            if structure.occluded(ray, Interval::POSITIVE) != expected.is_some() {
+            if structure.occluded(ray, range) != expected.is_some() {
                 return Err(format!("occlusion of {ray:?}"));
             }
         }
@@ -46,23 +50,23 @@ fn check<P: Primitives + Clone>(primitives: &P, rays: &[Ray]) -> Result<(), Stri
     }
     let error = |error: StructureError| error.to_string();
     let all = every_one(primitives.clone()).map_err(error)?;
-    let expected: Vec<_> = rays.iter().map(|ray| all.nearest(ray, Interval::POSITIVE, &mut ())).collect();
-    one(&grid(primitives.clone()).map_err(error)?, &expected, rays).map_err(|e| format!("grid: {e}"))?;
-    one(&octree(primitives.clone()).map_err(error)?, &expected, rays).map_err(|e| format!("octree: {e}"))?;
-    one(&kd_tree(primitives.clone()).map_err(error)?, &expected, rays).map_err(|e| format!("kd-tree: {e}"))?;
+    let asked: Vec<_> = rays.iter().map(|ray| (ray, range, all.nearest(ray, range, &mut ()))).collect();
+    one(&grid(primitives.clone()).map_err(error)?, &asked).map_err(|e| format!("grid: {e}"))?;
+    one(&octree(primitives.clone()).map_err(error)?, &asked).map_err(|e| format!("octree: {e}"))?;
+    one(&kd_tree(primitives.clone()).map_err(error)?, &asked).map_err(|e| format!("kd-tree: {e}"))?;
     let few = |few| Structure { partition: Octree::over(primitives, few).unwrap(), primitives: primitives.clone() };
-    one(&few(1), &expected, rays).map_err(|e| format!("octree with few = 1: {e}"))?;
+    one(&few(1), &asked).map_err(|e| format!("octree with few = 1: {e}"))?;
     let median = |few| {
         let partition = KdTree::over(primitives, Rule::Median { few }).unwrap();
         Structure { partition, primitives: primitives.clone() }
     };
-    one(&median(1), &expected, rays).map_err(|e| format!("median kd-tree: {e}"))?;
+    one(&median(1), &asked).map_err(|e| format!("median kd-tree: {e}"))?;
     let dense =
         |density| Structure { partition: Grid::over(primitives, density).unwrap(), primitives: primitives.clone() };
-    one(&dense(0.01), &expected, rays).map_err(|e| format!("grid of few cells: {e}"))?;
+    one(&dense(0.01), &asked).map_err(|e| format!("grid of few cells: {e}"))?;
     // Checking many cells with many primitives in each would take too long.
     if primitives.count() < 400 {
-        one(&dense(20.0), &expected, rays).map_err(|e| format!("grid of many cells: {e}"))?;
+        one(&dense(20.0), &asked).map_err(|e| format!("grid of many cells: {e}"))?;
     }
     Ok(())
 }
@@ -174,7 +178,7 @@ fn coordinate() -> impl Strategy<Value = f32> {
         4 => -1.0_f32..1.0,
         // Values that meet again and again.
         4 => (-4_i8..=4).prop_map(|i| f32::from(i) / 4.0),
-        1 => Just(-0.0),
+        1 => prop_oneof![Just(-0.0), Just(1e-20)],
     ]
 }
 
@@ -183,7 +187,7 @@ fn corner() -> impl Strategy<Value = Vec3> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
     fn any_triangles_of_any_size(
@@ -193,7 +197,10 @@ proptest! {
     ) {
         let scale = common::float::pow(10.0, exponent as f32);
         let corners: Vec<_> = corners.iter().map(|c| (*c + shift) * scale).collect();
-        prop_assert_eq!(check(&mesh(&corners), &rays(&corners, 9)), Ok(()));
+        // A ray that starts on a triangle may hit it by rounding alone, at a `t` that means nothing.
+        let size = corners.iter().map(|corner| corner.abs().max_element()).fold(0.0, f32::max);
+        let range = Interval::new(1e-5 * size, f32::INFINITY);
+        prop_assert_eq!(check_in(range, &mesh(&corners), &rays(&corners, 9)), Ok(()));
     }
 
     #[test]

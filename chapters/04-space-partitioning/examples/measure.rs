@@ -11,11 +11,12 @@ use std::{
     time::{Duration, Instant},
 };
 
-use common::{Error, Interval};
+use common::Error;
 use space_partitioning::{
     choice::{Choice, Countable},
     growth::{MOST_BY_FORCE, SCENE, SIZES, Subject},
     measured::{COLUMNS, Measured},
+    workload::Cast,
 };
 
 /// Repeat what takes less time than this.
@@ -25,14 +26,14 @@ const OFTEN: u32 = 400;
 
 fn main() -> Result<(), Error> {
     let largest = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(u32::MAX);
-    println!("# Scene '{}', seen by its camera; one diffuse bounce off what each pixel sees.", SCENE.name);
+    println!("# Scene '{}', seen by its camera; one diffuse bounce off what each camera ray sees.", SCENE.name);
     println!(
         "# Counts are sums over all rays, the same on every machine. Seconds are the least of several runs in one"
     );
     println!("# thread: to build the structure, and for one ray, the mean.");
     println!("{COLUMNS}");
     for triangles in SIZES.into_iter().filter(|&size| size <= largest) {
-        let subject = Subject::new(&SCENE, triangles)?;
+        let subject = Subject::new(triangles)?;
         for choice in [Choice::BruteForce, Choice::Grid, Choice::Octree, Choice::KdTree] {
             if choice == Choice::BruteForce && triangles > MOST_BY_FORCE {
                 continue;
@@ -49,8 +50,8 @@ fn main() -> Result<(), Error> {
 
 /// Trace all rays, told to nobody.
 fn trace(subject: &Subject, structure: &dyn Countable) {
-    for ray in &subject.rays {
-        black_box(structure.find(ray, Interval::POSITIVE));
+    for Cast { ray, range } in subject.casts() {
+        black_box(structure.find(ray, *range));
     }
 }
 

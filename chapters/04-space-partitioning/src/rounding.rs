@@ -6,6 +6,10 @@
 /// The `t` of a plane, `(plane − origin) / direction`, is off by at most three roundings of half an ε each. The test of a
 /// triangle sees each corner off by about as much, measured along the ray. Both errors grow with the distance, as this
 /// share of it does; 16 ε is several times their sum.
+///
+/// Two things lie beyond that. A ray that starts on a triangle may hit it by rounding alone, so near that `t` means
+/// nothing: who starts a ray from a surface keeps clear of it, as chapter 2 does. And where products of coordinates come
+/// near the smallest numbers of `f32`, digits are lost: coordinates should be zero, or greater than about 10⁻¹⁸.
 pub const SLACK: f32 = 16.0 * f32::EPSILON;
 // ANCHOR_END: slack
 

@@ -1,7 +1,5 @@
 //! The numbers of chapter 4. All of them are counts: not one is a time.
 
-#![expect(clippy::disallowed_methods, reason = "f64 has digits to spare: its last bits do not matter here")]
-
 use std::sync::Arc;
 
 use common::{Interval, Vec2, Vec3, parallel, picture::FilmPoint};
@@ -24,6 +22,7 @@ use space_partitioning::{
 };
 
 use super::{Numbers, grouped};
+use crate::slope::slope;
 
 /// How many triangles the scenes have, where nothing else is said.
 const TRIANGLES: u32 = 20_000;
@@ -197,15 +196,6 @@ fn more(one: f64, other: f64) -> String {
     format!("{:.0} %", 100.0 * (one / other - 1.0))
 }
 
-/// The slope of the straight line that fits the points best, on axes with logarithms.
-fn slope(points: &[(f64, f64)]) -> String {
-    let points: Vec<_> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
-    let n = points.len() as f64;
-    let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;
-    let (x, y) = (mean(&|p| p.0), mean(&|p| p.1));
-    format!("{:.2}", mean(&|p| (p.0 - x) * (p.1 - y)) / mean(&|p| (p.0 - x) * (p.0 - x)))
-}
-
 /// Mean number of nodes that rays visit in the kd-tree, and of lines of memory that these nodes are in.
 fn nodes_and_lines(scene: &Scene) -> (f64, f64) {
     let tree = scene.kd_tree(Costs::default());
@@ -300,7 +290,7 @@ pub(super) fn measured() -> String {
         let sizes = parallel::map(SIZES.len(), |i| Scene::of(name, SIZES[i]));
         for choice in Choice::STRUCTURES {
             let points = parallel::map(sizes.len(), |i| (sizes[i].mesh.len() as f64, sizes[i].cost_of(choice).steps()));
-            numbers.pin(&format!("{name}-{}-slope", choice.name()), slope(&points));
+            numbers.pin(&format!("{name}-{}-slope", choice.name()), format!("{:.2}", slope(&points)));
         }
     }
     numbers.0

@@ -9,6 +9,7 @@ use common::{
         CHALK, Drawing, FAINT, SLATE,
         lettering::{Align, Lettering},
     },
+    float,
     picture::{FilmPoint, Integrator},
     story::Story,
 };
@@ -32,10 +33,21 @@ const SCALE: [Vec2; 2] = [Vec2::new(280.0, 386.0), Vec2::new(720.0, 16.0)];
 const COLORS: [[u8; 3]; 6] =
     [[8, 10, 32], [32, 44, 130], [24, 128, 150], [96, 190, 90], [250, 200, 60], [250, 250, 220]];
 
+/// From the coldest color to the hottest, steps grow by this factor, and between the figures under the scale by four.
+const RANGE: f32 = 1024.0;
+const FIGURES: u8 = 5;
+
 // ANCHOR: color
-/// The color of a number of steps; 1 is the hottest.
+/// How hot a number of steps is, from 0 to 1. Each further factor of four is hotter by a fifth: some rays take a
+/// thousand times as many steps as others, and all should be told apart.
 #[must_use]
-pub(super) fn color(heat: f32) -> Rgb {
+fn heat(steps: f32, hottest: f32) -> f32 {
+    1.0 - float::ln(hottest / steps.max(1.0)) / float::ln(RANGE)
+}
+
+/// The color of a heat.
+#[must_use]
+fn color(heat: f32) -> Rgb {
     let place = heat.clamp(0.0, 1.0) * (COLORS.len() - 1) as f32;
     let [below, above] = [place.floor(), place.ceil()].map(|i| {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 5")]
@@ -92,11 +104,11 @@ impl HeatMaps {
             self.drawing.text(&text, middle, Lettering::new(22.0, CHALK).aligned(Align::Center));
         }
         let [corner, size] = SCALE;
-        for i in 0..=4_u8 {
-            let share = f32::from(i) / 4.0;
+        for i in 0..=FIGURES {
+            let share = f32::from(i) / f32::from(FIGURES);
             let foot = corner + Vec2::new(share * size.x, size.y + 20.0);
-            let more = if i == 4 { " or more" } else { "" };
-            let text = format!("{:.0}{more}", share * self.hottest);
+            let beyond = [" or less", "", " or more"][usize::from(i > 0) + usize::from(i == FIGURES)];
+            let text = format!("{:.0}{beyond}", self.hottest * float::pow(RANGE, share - 1.0));
             self.drawing.text(&text, foot, Lettering::new(16.0, CHALK).aligned(Align::Center));
         }
         let beside = corner + Vec2::new(size.x / 2.0, -8.0);
@@ -134,7 +146,7 @@ impl Integrator for HeatMaps {
             if is_in(corner, MAP) {
                 let steps = self.steps(i, place - corner);
                 story.tell(|| format!("the {}: {steps} steps", choice.name()));
-                return color(steps as f32 / self.hottest);
+                return color(heat(steps as f32, self.hottest));
             }
         }
         // The scale?
@@ -143,5 +155,20 @@ impl Integrator for HeatMaps {
             return color((place - corner).x / size.x);
         }
         self.drawing.radiance(point, _random, story)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_times_as_many_steps_are_a_fifth_hotter() {
+        let heats = [4.0, 16.0, 64.0, 256.0, 1024.0, 4096.0].map(|steps| heat(steps, 4096.0));
+        for (heat, share) in heats.into_iter().zip([0.0, 0.2, 0.4, 0.6, 0.8, 1.0]) {
+            assert!((heat - share).abs() < 1e-6, "{heats:?}");
+        }
+        // Nothing is colder than the coldest color, and nothing hotter than the hottest.
+        assert_eq!([heat(0.0, 4096.0), heat(1e9, 4096.0)].map(color), [0.0, 1.0].map(color));
     }
 }

@@ -79,65 +79,80 @@ pub(super) const SHADED: [Picture; 9] = [
 pub(super) const STEPS: [Picture; 9] = [
     steps(
         "interior-steps",
-        "The reading room as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
-         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
-         and yellow to nearly white for 200 or more.",
+        "Three heat maps side by side of the steps that camera rays take in the grid, the octree and the kd- \
+         tree, with the mean above each, on a common scale from dark blue for 4 over green and yellow to \
+         nearly white for 4096. The reading room: the grid and the kd-tree are mostly teal, dearest around \
+         the backs of the chairs and the plants; the octree is green to yellow, dearest along the floor \
+         between the chairs.",
         heated::<0>,
     ),
     steps(
         "court-steps",
-        "The arcaded court as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
-         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
-         and yellow to nearly white for 200 or more.",
+        "Three heat maps side by side of the steps that camera rays take in the grid, the octree and the kd- \
+         tree, with the mean above each, on a common scale from dark blue for 4 over green and yellow to \
+         nearly white for 4096. The arcaded court: the grid and the octree show bright blocks where many \
+         moldings and leaves share a cell, along the walls and around the plants; in the kd-tree the walls \
+         are an even blue and only the leaves stand out.",
         heated::<1>,
     ),
     steps(
         "clearing-steps",
-        "The clearing as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
-         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
-         and yellow to nearly white for 200 or more.",
+        "Three heat maps side by side of the steps that camera rays take in the grid, the octree and the kd- \
+         tree, with the mean above each, on a common scale from dark blue for 4 over green and yellow to \
+         nearly white for 4096. The clearing: all three are dearest in the leaves and grass and cheapest on \
+         stones and trunks; the octree is the brightest, and the grid shows large blocks.",
         heated::<2>,
     ),
     steps(
         "hair-ball-steps",
-        "The ball of hair as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
-         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
-         and yellow to nearly white for 200 or more.",
+        "Three heat maps side by side of the steps that camera rays take in the grid, the octree and the kd- \
+         tree, with the mean above each, on a common scale from dark blue for 4 over green and yellow to \
+         nearly white for 4096. The ball of hair: in the grid whole blocks of orange and white hide the ball; \
+         the octree shows it as a coarse heap of yellow cubes; in the kd-tree single hairs can be seen, green \
+         with some yellow patches.",
         heated::<3>,
     ),
     steps(
         "plant-steps",
-        "The power plant as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
-         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
-         and yellow to nearly white for 200 or more.",
+        "Three heat maps side by side of the steps that camera rays take in the grid, the octree and the kd- \
+         tree, with the mean above each, on a common scale from dark blue for 4 over green and yellow to \
+         nearly white for 4096. The power plant: in the grid the steel frame and the pipes are an orange \
+         block, in the octree a green one with orange edges; in the kd-tree they are drawn in fine green \
+         lines before blue.",
         heated::<4>,
     ),
     steps(
         "square-steps",
-        "The village square as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
-         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
-         and yellow to nearly white for 200 or more.",
+        "Three heat maps side by side of the steps that camera rays take in the grid, the octree and the kd- \
+         tree, with the mean above each, on a common scale from dark blue for 4 over green and yellow to \
+         nearly white for 4096. The village square: the grid is yellow to nearly white, dearest in the crown \
+         of the tree; the octree is teal to green; the kd-tree is blue with the leaves in green.",
         heated::<5>,
     ),
     steps(
         "sphere-flake-steps",
-        "The flake of spheres as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
-         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
-         and yellow to nearly white for 200 or more.",
+        "Three heat maps side by side of the steps that camera rays take in the grid, the octree and the kd- \
+         tree, with the mean above each, on a common scale from dark blue for 4 over green and yellow to \
+         nearly white for 4096. The flake of spheres: in the grid large blocks around the balls are orange; \
+         octree and kd-tree are blue to teal, with green seams around each ball, and the kd-tree is a little \
+         darker.",
         heated::<6>,
     ),
     steps(
         "mountain-steps",
-        "The mountain as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
-         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
-         and yellow to nearly white for 200 or more.",
+        "Three heat maps side by side of the steps that camera rays take in the grid, the octree and the kd- \
+         tree, with the mean above each, on a common scale from dark blue for 4 over green and yellow to \
+         nearly white for 4096. The mountain: all three are blue to teal; the silhouette is a brighter seam, \
+         most in the octree, whose foreground is a green band.",
         heated::<7>,
     ),
     steps(
         "stadium-steps",
-        "The teapot in the stadium as three heat maps of the steps that each camera ray takes: left in the grid, in the middle in the octree, \
-         right in the kd-tree, with the mean above each. A common scale below goes from dark blue for none over green \
-         and yellow to nearly white for 200 or more.",
+        "Three heat maps side by side of the steps that camera rays take in the grid, the octree and the kd- \
+         tree, with the mean above each, on a common scale from dark blue for 4 over green and yellow to \
+         nearly white for 4096. The teapot in the stadium: the grid is nearly white all over, only the \
+         teapot's shape and a wedge below are a little darker; octree and kd-tree are blue on the lawn, with \
+         a green seam around the teapot and the stands behind it brighter.",
         heated::<8>,
     ),
 ];

@@ -1,6 +1,6 @@
 //! Budgets: how many triangles each thing may have, and into how many steps its surface is cut for that.
 
-/// A share of a number of triangles, rounded down.
+/// A share of a number of triangles, rounded down: 700 are 0.7 of 1000.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "a budget need not be exact")]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "shares are from 0 to 1")]
@@ -53,6 +53,7 @@ mod tests {
     fn numbers_of_things() {
         assert_eq!([number(100, 30, [1, 9]), number(0, 30, [1, 9]), number(900, 30, [1, 9])], [3, 1, 9]);
         assert_eq!([share(1_000, 0.25), share(0, 0.5)], [250, 0]);
+        assert_eq!(share(1_000, 0.7), 700);
         assert_eq!([ratio(1, 4), ratio(0, 0)], [0.25, 0.0]);
     }
 }

@@ -1,6 +1,6 @@
 //! A clearing in the forest: a lantern among standing stones, mushrooms, flowers, grass, and trees around.
 
-use common::{Rgb, Stream, Vec3, color::srgb};
+use common::{Rgb, Vec3, color::srgb};
 use ray_casting::{
     light::{DirectionalLight, PointLight},
     material::Phong,
@@ -9,9 +9,10 @@ use ray_casting::{
 
 use super::{
     Generator,
+    budget::share,
     builder::Builder,
+    chance::Chance,
     noise::{fractal, smooth_step},
-    shape::share,
 };
 use crate::model::{Model, View};
 
@@ -24,14 +25,14 @@ pub const GENERATOR: Generator = Generator { name: "clearing", full_size: 174_00
 
 /// Half the side of the ground, in meters.
 const HALF: f32 = 17.0;
-/// Seeds of the random numbers of each kind of thing, so that one kind does not change another.
+/// Seed of the random numbers of each kind of thing, so that one kind does not change another.
 const SEED: u64 = 2;
 
 /// The scene with about so many triangles.
 fn make(triangles: u32) -> Model {
     let mut builder = Builder::default();
     builder.reserve(triangles);
-    let stream = |kind: u64| Stream::new(SEED, kind, 0);
+    let chance = |kind: u64| Chance::numbered(SEED, kind);
 
     builder.part("ground", Phong::of(srgb(70, 78, 46), 0.0, 1.0));
     let cells = ((f64::from(share(triangles, 0.05)) / 2.0).sqrt() as u32).clamp(2, 700);
@@ -39,13 +40,13 @@ fn make(triangles: u32) -> Model {
 
     // The lantern is there in small scenes too.
     lantern::lantern(&mut builder, share(triangles, 0.02).max((triangles / 8).min(150)));
-    lantern::stones(&mut builder, share(triangles, 0.04), &mut stream(1));
-    tree::far_trees(&mut builder, share(triangles, 0.1), &mut stream(2));
-    tree::trees(&mut builder, share(triangles, 0.46), &mut stream(3));
-    meadow::mushrooms(&mut builder, share(triangles, 0.05), &mut stream(4));
-    meadow::flowers(&mut builder, share(triangles, 0.04), &mut stream(5));
+    lantern::stones(&mut builder, share(triangles, 0.04), &mut chance(1));
+    tree::far_trees(&mut builder, share(triangles, 0.1), &mut chance(2));
+    tree::trees(&mut builder, share(triangles, 0.46), &mut chance(3));
+    meadow::mushrooms(&mut builder, share(triangles, 0.05), &mut chance(4));
+    meadow::flowers(&mut builder, share(triangles, 0.04), &mut chance(5));
     let missing = builder.missing_to(triangles);
-    meadow::grass(&mut builder, missing, &mut stream(6));
+    meadow::grass(&mut builder, missing, &mut chance(6));
 
     let glow = PointLight { position: lantern::flame(), intensity: Rgb::new(36.0, 21.0, 8.8) };
     Model {

@@ -3,10 +3,7 @@
 use common::{Vec2, Vec3, color::srgb};
 use ray_casting::{frame::Frame, material::Phong};
 
-use super::{
-    budget::{number, ratio},
-    builder::Builder,
-};
+use super::{budget::number, builder::Builder, spline::finer};
 
 /// A fountain: a basin, a pillar with a bowl, and water in both.
 pub fn fountain(builder: &mut Builder, place: Vec3, triangles: u32) {
@@ -66,25 +63,4 @@ pub fn fountain(builder: &mut Builder, place: Vec3, triangles: u32) {
     builder.part("water", Phong::of(srgb(64, 128, 140), 0.9, 120.0));
     builder.turned(&place, &[[1.36, 0.54], [0.0, 0.54]].map(Vec2::from), sides);
     builder.turned(&place, &[[0.66, 1.69], [0.0, 1.69]].map(Vec2::from), sides);
-}
-
-/// A line through the same points with so many steps between two of them, bent smoothly.
-///
-/// Source: Catmull, Rom, *A Class of Local Interpolating Splines*, 1974.
-fn finer(points: &[Vec2], steps: u32) -> Vec<Vec2> {
-    let at = |i: usize| points[i.min(points.len() - 1)];
-    let mut line = vec![];
-    for i in 0..points.len() - 1 {
-        let [a, b, c, d] = [at(i.saturating_sub(1)), at(i), at(i + 1), at(i + 2)];
-        for step in 0..steps {
-            let t = ratio(step, steps);
-            let bent = b * 2.0
-                + (c - a) * t
-                + (a * 2.0 - b * 5.0 + c * 4.0 - d) * (t * t)
-                + (b * 3.0 - a - c * 3.0 + d) * (t * t * t);
-            line.push((bent * 0.5).max(Vec2::new(0.01, 0.0)));
-        }
-    }
-    line.push(at(points.len() - 1));
-    line
 }

@@ -7,6 +7,7 @@ use super::{
     budget::{grid, ratio, share},
     builder::Builder,
     chance::Chance,
+    cushion,
 };
 
 /// Fewest columns and rows of a cushion: a box.
@@ -39,8 +40,8 @@ impl Builder {
         let steps = grid(triangles / 2, 1.6, CUSHION);
         let (middle, half) = (Vec3::new(0.0, SEAT + 0.04, 0.01), Vec3::new(0.24, 0.055, 0.24));
         self.cushion(frame, middle, half, steps, 4.0);
-        self.ball(steps, |p| {
-            let round = superellipsoid(p, 4.0);
+        self.closed_surface(steps, |p| {
+            let round = p / cushion::distance(p, 4.0);
             let (x, y) = (round.x * 0.23, 0.76 + round.y * 0.2);
             // Leaning like the posts, and hollow for a back.
             let z = -0.225 - 0.185 * (y - SEAT) + round.z * 0.035 + 0.06 * (x / 0.23) * (x / 0.23);
@@ -129,12 +130,6 @@ impl Builder {
             frame.point_to_world(at.extend(deep * (wave + sway * (1.0 - v))))
         });
     }
-}
-
-/// The point of a box with round edges, from −1 to 1 along each axis, for a point of the unit sphere.
-fn superellipsoid(p: Vec3, power: f32) -> Vec3 {
-    let sum: f32 = p.to_array().iter().map(|c| float::pow(c.abs(), power)).sum();
-    p / float::pow(sum, 1.0 / power)
 }
 
 /// What a chair's budget is spent on: wood, then cushions.

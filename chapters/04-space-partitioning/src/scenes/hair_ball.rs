@@ -1,6 +1,6 @@
 //! The hair ball: thousands of thin curved hairs around a ball.
 
-use common::{Rgb, Stream, Vec3, color::srgb, float};
+use common::{Rgb, Vec3, color::srgb, float};
 use ray_casting::{
     light::{DirectionalLight, PointLight},
     material::Phong,
@@ -8,10 +8,10 @@ use ray_casting::{
 };
 
 use super::{
-    Generator,
+    Generator, ball,
+    budget::{number, share},
     builder::Builder,
-    noise::{any_angle, between},
-    shape::{fineness, share},
+    chance::Chance,
 };
 use crate::model::{Model, View};
 
@@ -30,6 +30,8 @@ const LENGTH: f32 = 1.9;
 const THICKNESS: f32 = 0.03;
 /// Number of hairs that lie side by side in a lock.
 const LOCK: u32 = 18;
+/// Seed of the random numbers.
+const SEED: u64 = 4;
 /// Name, color and share of the hairs, the outer ones last.
 const STRANDS: [(&str, [u8; 3], f32); 4] = [
     ("dark hair", [84, 34, 24], 0.3),
@@ -45,16 +47,16 @@ fn make(triangles: u32) -> Model {
 
     // The room, and the ball inside.
     builder.part("backdrop", Phong::of(srgb(96, 116, 124), 0.0, 1.0));
-    builder.backdrop(48.0, 9.0, 18.0, (triangles / 120).clamp(5, 14));
+    builder.backdrop(48.0, 9.0, 18.0, number(triangles, 120, [5, 14]));
     builder.part("core", Phong::of(srgb(58, 26, 22), 0.0, 1.0));
-    builder.globe(CENTER, CORE, fineness(share(triangles, 0.03), 1).clamp(1, 40));
+    builder.ball(CENTER, CORE, ball::fineness(share(triangles, 0.03), 1).clamp(1, 40));
 
     // The hairs: at four times as many triangles about 2.5 times as many hairs, each of 1.6 times as many pieces.
     let for_hairs = builder.missing_to(triangles);
     let pieces = (1.1 * float::pow(for_hairs as f32 / 100.0, 0.34)).clamp(3.0, 48.0) as u32;
     let hairs = (for_hairs / (2 * SIDES * pieces)).max(4);
     let thickness = (THICKNESS * float::pow(1000.0 / hairs as f32, 0.55)).min(0.15);
-    let mut random = Stream::new(4, 0, 0);
+    let mut chance = Chance::numbered(SEED, 0);
     let mut line = Vec::with_capacity(pieces as usize + 1);
     let mut grown = 0;
     let mut until = 0.0;
@@ -62,14 +64,14 @@ fn make(triangles: u32) -> Model {
         builder.part(name, Phong::of(srgb(red, green, blue), 0.4, 30.0));
         until += part;
         let last = if strand + 1 == STRANDS.len() { hairs } else { ((hairs as f32 * until) as u32).max(grown + 1) };
-        let mut lock = Lock::new(0.0, &mut random);
+        let mut lock = Lock::new(0.0, &mut chance);
         for hair in grown..last {
             // With few hairs, each is a lock of its own.
             if hair % (hairs / 400).clamp(1, LOCK) == 0 {
-                lock = Lock::new(strand as f32 / STRANDS.len() as f32, &mut random);
+                lock = Lock::new(strand as f32 / STRANDS.len() as f32, &mut chance);
             }
-            lock.hair(&mut line, pieces, &mut random);
-            let width = thickness * between(&mut random, 0.7, 1.3) / 2.0;
+            lock.hair(&mut line, pieces, &mut chance);
+            let width = thickness * chance.between(0.7, 1.3) / 2.0;
             builder.tube(&line, SIDES, |i| width * (1.0 - 0.85 * i as f32 / pieces as f32));
         }
         grown = last;
@@ -104,21 +106,21 @@ struct Lock {
 
 impl Lock {
     /// A lock anywhere; `outside` from 0 to 1 says how far it stands off.
-    fn new(outside: f32, random: &mut Stream) -> Self {
+    fn new(outside: f32, chance: &mut Chance) -> Self {
         Self {
-            root: any_direction(random),
-            lift: between(random, 0.1, 0.3) + 0.26 * outside,
-            aside: between(random, -0.35, 0.35),
-            curl: (between(random, 5.0, 9.0), any_angle(random)),
+            root: chance.on_sphere(),
+            lift: chance.between(0.1, 0.3) + 0.26 * outside,
+            aside: chance.around(0.35),
+            curl: (chance.between(5.0, 9.0), chance.angle()),
         }
     }
 
     /// The points along one of its hairs. It leaves the core, and the flow that all hairs share combs it around the
     /// ball. The lock is wide at its root and narrow at its tip.
-    fn hair(&self, line: &mut Vec<Vec3>, pieces: u32, random: &mut Stream) {
-        let beside = any_direction(random) * between(random, 0.02, 0.13);
-        let lift = self.lift * between(random, 0.85, 1.15);
-        let length = LENGTH * between(random, 0.8, 1.1);
+    fn hair(&self, line: &mut Vec<Vec3>, pieces: u32, chance: &mut Chance) {
+        let beside = chance.on_sphere() * chance.between(0.02, 0.13);
+        let lift = self.lift * chance.between(0.85, 1.15);
+        let length = LENGTH * chance.between(0.8, 1.1);
         let mut out = self.root;
         line.clear();
         for i in 0..=pieces {
@@ -134,14 +136,6 @@ impl Lock {
             out = (out + step * (length / pieces as f32)).normalize_or(out);
         }
     }
-}
-
-/// A unit vector, any direction as likely as any other.
-fn any_direction(random: &mut Stream) -> Vec3 {
-    let height = between(random, -1.0, 1.0);
-    let across = (1.0 - height * height).max(0.0).sqrt();
-    let angle = any_angle(random);
-    Vec3::new(across * float::cos(angle), height, across * float::sin(angle))
 }
 
 /// The direction in which hair lies at a place of the unit sphere: along the contour lines of a hilly function, so that it

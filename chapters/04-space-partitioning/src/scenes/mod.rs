@@ -2,26 +2,33 @@
 //! measures on, and of any other size.
 
 pub mod arches;
+pub mod backdrop;
+pub mod ball;
 pub mod budget;
 pub mod builder;
 pub mod chance;
 pub mod clearing;
 pub mod court;
+pub mod cuboid;
+pub mod cushion;
 pub mod foliage;
 pub mod fountain;
 pub mod furniture;
 pub mod hair_ball;
 pub mod interior;
+pub mod lathe;
 pub mod mountain;
-mod noise;
+pub mod noise;
 pub mod plant;
-mod shape;
-pub mod shapes;
+pub mod prism;
 pub mod sphere_flake;
+pub mod spline;
 pub mod square;
 pub mod stadium;
+pub mod surface;
 #[cfg(test)]
 mod tests;
+pub mod tube;
 
 use crate::model::Model;
 

@@ -1,19 +1,8 @@
-//! Noise: smooth chance over the plane, and sums of it that look like nature.
-
-use common::Stream;
-
-/// A number of the uniform distribution from `low` to `high`.
-pub(super) fn between(random: &mut Stream, low: f32, high: f32) -> f32 {
-    low + (high - low) * random.uniform()
-}
-
-/// An angle of the whole circle, in radians.
-pub(super) fn any_angle(random: &mut Stream) -> f32 {
-    std::f32::consts::TAU * random.uniform()
-}
+//! Noise: chance that changes smoothly over the plane, and sums of it that look like nature.
 
 /// A number between 0 and 1 that grows from `low` to `high` with a smooth start and end.
-pub(super) fn smooth_step(low: f32, high: f32, x: f32) -> f32 {
+#[must_use]
+pub fn smooth_step(low: f32, high: f32, x: f32) -> f32 {
     fade(((x - low) / (high - low)).clamp(0.0, 1.0))
 }
 
@@ -38,7 +27,8 @@ const SLOPES: [(f32, f32); 8] = {
 /// Gradient noise: about −1 to 1, zero in all points with whole coordinates, with hills and hollows about 1 apart.
 ///
 /// Source: Perlin, *Improving Noise*, SIGGRAPH 2002, in two dimensions and with a hash in place of the table.
-pub(super) fn noise(seed: u32, x: f32, z: f32) -> f32 {
+#[must_use]
+pub fn noise(seed: u32, x: f32, z: f32) -> f32 {
     let (column, row) = (whole_below(x), whole_below(z));
     let (dx, dz) = (x - column as f32, z - row as f32);
     let corner = |i: i32, j: i32| {
@@ -52,7 +42,8 @@ pub(super) fn noise(seed: u32, x: f32, z: f32) -> f32 {
 }
 
 /// A sum of octaves of noise, each with half the size and half the height of the one before; about −1 to 1.
-pub(super) fn fractal(seed: u32, x: f32, z: f32, octaves: u32) -> f32 {
+#[must_use]
+pub fn fractal(seed: u32, x: f32, z: f32, octaves: u32) -> f32 {
     let (mut sum, mut height, mut scale) = (0.0, 0.5, 1.0);
     for octave in 0..octaves {
         sum += height * noise(seed.wrapping_add(octave), x * scale, z * scale);
@@ -66,7 +57,8 @@ pub(super) fn fractal(seed: u32, x: f32, z: f32, octaves: u32) -> f32 {
 /// less, so that valleys stay smooth.
 ///
 /// Source: Musgrave's ridged multifractal, in Ebert et al., *Texturing and Modeling*, 3rd edition, 2003, chapter 16.
-pub(super) fn ridges(seed: u32, x: f32, z: f32, octaves: u32) -> f32 {
+#[must_use]
+pub fn ridges(seed: u32, x: f32, z: f32, octaves: u32) -> f32 {
     let (mut sum, mut height, mut scale, mut weight) = (0.0, 0.5, 1.0, 1.0);
     for octave in 0..octaves {
         if weight <= 0.0 {

@@ -1,10 +1,10 @@
 //! A power plant: storeys of steel, bundles of pipes, tanks, boilers, chimneys. From the bolts of a flange to the cooling
 //! towers the sizes differ a thousandfold.
 
-use common::{Rgb, Stream, Vec3, color::srgb};
+use common::{Rgb, Vec3, color::srgb};
 use ray_casting::{light::DirectionalLight, material::Phong, mesh::Shading};
 
-use super::{Generator, builder::Builder, shape::share};
+use super::{Generator, budget::share, builder::Builder, chance::Chance};
 use crate::model::{Model, View};
 
 mod flange;
@@ -16,24 +16,24 @@ mod vessels;
 /// An industrial plant.
 pub const GENERATOR: Generator = Generator { name: "plant", full_size: 12_700_000, make };
 
-/// Beginning of the random numbers.
+/// Seed of the random numbers of each kind of thing, so that one kind does not change another.
 const SEED: u64 = 12;
 
 /// The scene with about so many triangles.
 fn make(triangles: u32) -> Model {
     let mut builder = Builder::default();
     builder.reserve(triangles);
-    let stream = |kind: u64| Stream::new(SEED, kind, 0);
+    let chance = |kind: u64| Chance::numbered(SEED, kind);
 
     ground(&mut builder);
     vessels::vessels(&mut builder, share(triangles, 0.16));
-    house::house(&mut builder, share(triangles, 0.34), &mut stream(1));
+    house::house(&mut builder, share(triangles, 0.34), &mut chance(1));
     if triangles >= 500 {
         pipes::rack(&mut builder, share(triangles, 0.02));
     }
     // Pipes take all that is left.
     let missing = builder.missing_to(triangles);
-    pipes::pipes(&mut builder, missing, &mut stream(2));
+    pipes::pipes(&mut builder, missing, &mut chance(2));
 
     Model {
         mesh: builder.mesh,

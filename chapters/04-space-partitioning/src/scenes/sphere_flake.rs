@@ -10,9 +10,9 @@ use ray_casting::{
 };
 
 use super::{
-    Generator,
+    Generator, ball,
+    budget::{number, share},
     builder::Builder,
-    shape::{fineness, in_ball, share},
 };
 use crate::model::{Model, View};
 
@@ -48,7 +48,7 @@ fn make(triangles: u32) -> Model {
 
     // The room.
     builder.part("backdrop", Phong::of(srgb(206, 198, 190), 0.0, 1.0));
-    builder.backdrop(44.0, 9.0, 16.0, (triangles / 120).clamp(5, 14));
+    builder.backdrop(44.0, 9.0, 16.0, number(triangles, 120, [5, 14]));
 
     // The balls, generation after generation.
     let finenesses = finenesses(builder.missing_to(triangles));
@@ -59,7 +59,7 @@ fn make(triangles: u32) -> Model {
         }
         builder.part(name, Phong::of(srgb(red, green, blue), 0.45, 60.0));
         for ball in &balls {
-            builder.globe(ball.center, ball.radius, fineness);
+            builder.ball(ball.center, ball.radius, fineness);
         }
     }
 
@@ -81,7 +81,7 @@ fn make(triangles: u32) -> Model {
 fn finenesses(triangles: u32) -> Vec<u32> {
     // As many generations as can be round: balls of the last one take a little more than half.
     let last = share(triangles, 0.66);
-    let round = |generation: u32| in_ball(if generation > 2 { 2 } else { 1 });
+    let round = |generation: u32| ball::cost(if generation > 2 { 2 } else { 1 });
     let mut deepest = 1;
     while deepest + 1 < GENERATIONS.len() as u32 && CHILDREN.pow(deepest + 1) * round(deepest + 1) <= last {
         deepest += 1;
@@ -96,8 +96,8 @@ fn finenesses(triangles: u32) -> Vec<u32> {
             0 => missing,
             _ => missing / 2,
         };
-        let fineness = fineness(budget, count);
-        missing = missing.saturating_sub(count * in_ball(fineness));
+        let fineness = ball::fineness(budget, count);
+        missing = missing.saturating_sub(count * ball::cost(fineness));
         all.push(fineness);
     }
     all.reverse();

@@ -7,7 +7,7 @@ use ray_casting::{
     mesh::Shading,
 };
 
-use super::{Generator, builder::Builder, shape::share};
+use super::{Generator, budget::share, builder::Builder};
 use crate::model::{Model, View};
 
 mod field;

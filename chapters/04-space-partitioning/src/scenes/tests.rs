@@ -1,6 +1,9 @@
-//! Tests of all generators.
+//! Tests of all generators, and of the bodies that they are made of.
 
-use super::GENERATORS;
+use common::{Vec2, Vec3};
+use ray_casting::frame::Frame;
+
+use super::{GENERATORS, ball, builder::Builder, cuboid};
 use crate::model::Model;
 
 /// Numbers of triangles that are asked for, and by what factor the result may differ.
@@ -60,4 +63,51 @@ fn scenes_are_the_same_each_time() {
         assert_eq!(one.mesh.triangles, other.mesh.triangles, "{}", generator.name);
         assert_eq!(one.parts, other.parts, "{}", generator.name);
     }
+}
+
+/// Six times the volume inside a closed mesh: positive if its triangles face outward.
+fn volume(builder: &Builder) -> f32 {
+    let at = |i: u32| builder.mesh.positions[i as usize];
+    builder.mesh.triangles.iter().map(|&[a, b, c]| at(a).cross(at(b)).dot(at(c))).sum()
+}
+
+#[test]
+fn closed_bodies_face_outward() {
+    let frame = Frame::at(Vec3::new(0.1, 0.2, 0.3)).turned(Vec3::Y, 30.0);
+    let profile = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Vec2::from);
+    let bodies: [&dyn Fn(&mut Builder); 7] = [
+        &|b| b.cuboid(&frame, Vec3::ZERO, Vec3::ONE),
+        &|b| b.beam(Vec3::ZERO, Vec3::new(1.0, 2.0, 3.0), 1.0),
+        &|b| b.ball(Vec3::ONE, 1.0, 4),
+        &|b| b.cushion(&frame, Vec3::ZERO, Vec3::splat(0.5), [12, 8], 4.0),
+        &|b| b.turned(&frame, &profile, 8),
+        &|b| b.turned_around(Vec3::ONE, Vec3::new(0.6, 0.0, 0.8), &profile, 8),
+        &|b| b.prism(&frame, &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Vec2::from), 0.0, 1.0),
+    ];
+    for body in bodies {
+        let mut builder = Builder::default();
+        body(&mut builder);
+        assert!(volume(&builder) > 1.0);
+    }
+}
+
+#[test]
+fn the_costs_are_as_said() {
+    let frame = Frame::at(Vec3::ZERO);
+    // Two tips, and a ring between.
+    let profile = [Vec2::ZERO, Vec2::ONE, 2.0 * Vec2::Y];
+    let cost = |make: &dyn Fn(&mut Builder)| {
+        let mut builder = Builder::default();
+        make(&mut builder);
+        builder.count()
+    };
+    assert_eq!(cost(&|b| b.cuboid(&frame, Vec3::ZERO, Vec3::ONE)), cuboid::COST);
+    assert_eq!(cost(&|b| b.beam(Vec3::ZERO, Vec3::ONE, 0.1)), cuboid::COST);
+    assert_eq!(cost(&|b| b.ball(Vec3::ZERO, 1.0, 3)), ball::cost(3));
+    assert_eq!(cost(&|b| b.closed_surface([5, 4], |p| p)), 2 * 5 * 3);
+    assert_eq!(cost(&|b| b.turned(&frame, &profile, 7)), 2 * 7);
+    assert_eq!(cost(&|b| b.turned_around(Vec3::ONE, Vec3::X, &profile, 7)), 2 * 7);
+    assert_eq!(cost(&|b| b.bar(Vec3::ZERO, Vec3::Y, 0.1, 6)), 12);
+    assert_eq!(cost(&|b| b.leaf(Vec3::ZERO, Vec3::X, Vec3::Y, true)), 4);
+    assert_eq!(cost(&|b| b.prism(&frame, &[Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y], 0.0, 1.0)), 12);
 }

@@ -1,14 +1,10 @@
 //! The middle of the clearing: a lantern on a stone, in a ring of standing stones.
 
-use common::{Stream, Vec2, Vec3, color::srgb, float};
+use common::{Vec2, Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
 use super::{
-    super::{
-        builder::Builder,
-        noise::{between, noise},
-        shape::{BOX, fineness},
-    },
+    super::{ball, budget::number, builder::Builder, chance::Chance, cuboid, noise::noise},
     ground,
 };
 
@@ -55,10 +51,10 @@ fn foot() -> Vec3 {
 pub(super) fn lantern(builder: &mut Builder, triangles: u32) {
     let posts = if triangles < 150 { 3 } else { 6 };
     let in_sections = 2 * (STONE.len() + FLOOR.len() + ROOF.len() + WAX.len()) as u32;
-    let segments = (triangles.saturating_sub(posts * BOX) / in_sections).clamp(3, 2000);
+    let segments = number(triangles.saturating_sub(posts * cuboid::COST), in_sections, [3, 2000]);
     let turned = |builder: &mut Builder, section: &[(f32, f32)]| {
         let profile: Vec<Vec2> = section.iter().map(|&(x, y)| Vec2::new(x, y) * SIZE).collect();
-        builder.revolve(foot(), Vec3::Y, &profile, segments);
+        builder.turned_around(foot(), Vec3::Y, &profile, segments);
     };
     builder.part("lantern's stone", Phong::of(srgb(126, 124, 120), 0.0, 1.0));
     if triangles < 100 {
@@ -78,17 +74,17 @@ pub(super) fn lantern(builder: &mut Builder, triangles: u32) {
 }
 
 /// The ring of standing stones, with about so many triangles.
-pub(super) fn stones(builder: &mut Builder, triangles: u32, random: &mut Stream) {
+pub(super) fn stones(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
     builder.part("standing stones", Phong::of(srgb(132, 134, 132), 0.0, 1.0));
-    let stones = (triangles / 8).clamp(1, STONES);
-    let fineness = fineness(triangles, stones);
+    let stones = number(triangles, 8, [1, STONES]);
+    let fineness = ball::fineness(triangles, stones);
     for stone in 0..stones {
         // A gap is toward the eye.
-        let angle = std::f32::consts::TAU * (0.33 + 0.84 * (stone as f32 + between(random, 0.4, 0.6)) / stones as f32);
+        let angle = std::f32::consts::TAU * (0.33 + 0.84 * (stone as f32 + chance.between(0.4, 0.6)) / stones as f32);
         let place = ground(RING * float::cos(angle), RING * float::sin(angle));
         let toward = Vec3::new(float::cos(angle), 0.0, float::sin(angle));
-        let half = Vec3::new(between(random, 0.24, 0.36), between(random, 0.5, 0.85), between(random, 0.14, 0.2));
-        let lean = Vec3::new(between(random, -0.12, 0.12), 1.0, between(random, -0.12, 0.12));
+        let half = Vec3::new(chance.between(0.24, 0.36), chance.between(0.5, 0.85), chance.between(0.14, 0.2));
+        let lean = Vec3::new(chance.around(0.12), 1.0, chance.around(0.12));
         standing_stone(
             builder,
             place,
@@ -102,7 +98,7 @@ pub(super) fn stones(builder: &mut Builder, triangles: u32, random: &mut Stream)
 /// A stone of irregular shape: a ball, made square and rough, and set on its end.
 fn standing_stone(builder: &mut Builder, foot: Vec3, half: [Vec3; 3], fineness: u32, seed: u32) {
     let first = builder.mesh.positions.len();
-    builder.globe(Vec3::ZERO, 1.0, fineness);
+    builder.ball(Vec3::ZERO, 1.0, fineness);
     for position in &mut builder.mesh.positions[first..] {
         // Between a ball and a box.
         let square = *position / position.abs().max_element().max(0.5);

@@ -1,13 +1,10 @@
 //! What grows on the ground: grass, flowers and mushrooms.
 
-use common::{Rgb, Stream, Vec2, Vec3, color::srgb, float};
+use common::{Rgb, Vec2, Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
 use super::{
-    super::{
-        builder::Builder,
-        noise::{any_angle, between, noise},
-    },
+    super::{budget::number, builder::Builder, chance::Chance, noise::noise},
     ground,
 };
 
@@ -26,16 +23,16 @@ const CAP: [(f32, f32); 7] =
 const PLAIN_CAP: [(f32, f32); 3] = [(0.08, 0.7), (0.52, 0.64), (0.0, 1.0)];
 
 /// A place that the eye sees, nearer ones more often.
-fn seen_place(random: &mut Stream) -> Vec3 {
-    let near = random.uniform();
+fn seen_place(chance: &mut Chance) -> Vec3 {
+    let near = chance.between(0.0, 1.0);
     let z = 6.6 - 16.0 * near * float::pow(near, 0.35);
     let half = 1.4 + 0.8 * (8.2 - z);
-    let x = between(random, -half, half);
+    let x = chance.between(-half, half);
     ground(x.clamp(-14.0, 14.0), z)
 }
 
 /// Grass of about so many triangles, in tufts.
-pub(super) fn grass(builder: &mut Builder, triangles: u32, random: &mut Stream) {
+pub(super) fn grass(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
     let blades = (triangles / BLADE).max(3);
     let tuft = (blades / 60).clamp(1, TUFT);
     // Fewer blades are broader.
@@ -49,29 +46,29 @@ pub(super) fn grass(builder: &mut Builder, triangles: u32, random: &mut Stream) 
     for (name, color, until) in greens {
         builder.part(name, Phong::of(color, 0.0, 1.0));
         let last = ((blades as f32 * until) as u32).max(grown + 1);
-        let mut place = seen_place(random);
+        let mut place = seen_place(chance);
         let mut high = 1.0;
         for blade in grown..last {
             if blade % tuft == 0 {
-                place = seen_place(random);
+                place = seen_place(chance);
                 high = 1.0 + 0.6 * noise(5, place.x * 0.8, place.z * 0.8);
             }
-            let aside = Vec3::new(between(random, -0.1, 0.1), 0.0, between(random, -0.1, 0.1)) * broad.min(2.0);
-            let height = high * between(random, 0.12, 0.34) * broad.clamp(0.7, 1.6);
+            let aside = Vec3::new(chance.around(0.1), 0.0, chance.around(0.1)) * broad.min(2.0);
+            let height = high * chance.between(0.12, 0.34) * broad.clamp(0.7, 1.6);
             let root = place + aside - Vec3::Y * 0.02;
             // No grass grows through the stone in the middle.
             let from_middle = Vec2::new(root.x, root.z).length();
             let root = root + Vec3::Z * (STONE - from_middle.min(STONE)) * 2.0;
-            blade_of_grass(builder, root, height, 0.011 * broad, random);
+            blade_of_grass(builder, root, height, 0.011 * broad, chance);
         }
         grown = last;
     }
 }
 
 /// A blade: a strip that bends and ends in a tip.
-fn blade_of_grass(builder: &mut Builder, root: Vec3, height: f32, width: f32, random: &mut Stream) {
-    let angle = any_angle(random);
-    let lean = Vec3::new(float::cos(angle), 0.0, float::sin(angle)) * (height * between(random, 0.15, 0.6));
+fn blade_of_grass(builder: &mut Builder, root: Vec3, height: f32, width: f32, chance: &mut Chance) {
+    let angle = chance.angle();
+    let lean = Vec3::new(float::cos(angle), 0.0, float::sin(angle)) * (height * chance.between(0.15, 0.6));
     let side = Vec3::new(-float::sin(angle), 0.0, float::cos(angle)) * (width / 2.0);
     let middle = root + Vec3::Y * (0.62 * height) + lean * 0.35;
     let tip = root + Vec3::Y * height + lean;
@@ -83,7 +80,7 @@ fn blade_of_grass(builder: &mut Builder, root: Vec3, height: f32, width: f32, ra
 }
 
 /// Flowers of about so many triangles.
-pub(super) fn flowers(builder: &mut Builder, triangles: u32, random: &mut Stream) {
+pub(super) fn flowers(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
     let flowers = triangles / FLOWER;
     let broad = float::pow(500.0 / flowers.max(1) as f32, 0.3).clamp(0.35, 2.0);
     let colors = [("white flowers", srgb(244, 240, 228)), ("violet flowers", srgb(158, 120, 214))];
@@ -93,22 +90,22 @@ pub(super) fn flowers(builder: &mut Builder, triangles: u32, random: &mut Stream
             builder.part(name, Phong::of(color, 0.0, 1.0));
         }
         for _ in 0..count {
-            let place = seen_place(random);
+            let place = seen_place(chance);
             // Each kind has its own patches.
             let shift = if (noise(9, place.x * 0.7, place.z * 0.7) > 0.0) == (kind == 0) { 0.0 } else { 1.3 };
             let place = ground(place.x + shift, place.z);
-            flower(builder, place, between(random, 0.16, 0.32) * broad.max(0.8), 0.05 * broad, random);
+            flower(builder, place, chance.between(0.16, 0.32) * broad.max(0.8), 0.05 * broad, chance);
         }
     }
 }
 
 /// A flower: a stalk and five petals.
-fn flower(builder: &mut Builder, root: Vec3, height: f32, size: f32, random: &mut Stream) {
-    let lean = Vec3::new(between(random, -0.2, 0.2), 1.0, between(random, -0.1, 0.3));
+fn flower(builder: &mut Builder, root: Vec3, height: f32, size: f32, chance: &mut Chance) {
+    let lean = Vec3::new(chance.around(0.2), 1.0, chance.between(-0.1, 0.3));
     let top = root + lean * height;
     let side = Vec3::X * (size * 0.06);
     builder.quad([root - side, root + side, top + side, top - side]);
-    let turn = any_angle(random);
+    let turn = chance.angle();
     for petal in 0..5 {
         let at = |quarter: f32, out: f32, up: f32| {
             let angle = turn + std::f32::consts::TAU * (petal as f32 + quarter) / 5.0;
@@ -119,10 +116,10 @@ fn flower(builder: &mut Builder, root: Vec3, height: f32, size: f32, random: &mu
 }
 
 /// Mushrooms of about so many triangles: a ring around the stones, and a few near the eye.
-pub(super) fn mushrooms(builder: &mut Builder, triangles: u32, random: &mut Stream) {
+pub(super) fn mushrooms(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
     let plain = triangles < 1500;
     let cap: &[(f32, f32)] = if plain { &PLAIN_CAP } else { &CAP };
-    let count = (triangles / if plain { 30 } else { 200 }).clamp(1, 46);
+    let count = number(triangles, if plain { 30 } else { 200 }, [1, 46]);
     // Two triangles for each segment and step.
     let steps = (cap.len() + STEM.len() - 2) as u32;
     let segments = (triangles / count / (2 * steps)).max(3);
@@ -132,20 +129,20 @@ pub(super) fn mushrooms(builder: &mut Builder, triangles: u32, random: &mut Stre
             let place = if mushroom % 3 == 1 {
                 // In groups before the stones.
                 let group = [Vec2::new(-2.5, 4.3), Vec2::new(1.9, 4.9), Vec2::new(2.9, 3.3)][mushroom as usize / 3 % 3];
-                group + Vec2::new(between(random, -0.35, 0.35), between(random, -0.3, 0.3))
+                group + Vec2::new(chance.around(0.35), chance.around(0.3))
             } else {
                 let angle = std::f32::consts::TAU * turn;
-                Vec2::new(float::cos(angle), float::sin(angle)) * between(random, 1.5, 1.9)
+                Vec2::new(float::cos(angle), float::sin(angle)) * chance.between(1.5, 1.9)
             };
-            let axis = Vec3::new(between(random, -0.2, 0.2), 1.0, between(random, -0.1, 0.2)).normalize_or(Vec3::Y);
-            (ground(place.x, place.y), axis, between(random, 0.16, 0.36))
+            let axis = Vec3::new(chance.around(0.2), 1.0, chance.between(-0.1, 0.2)).normalize_or(Vec3::Y);
+            (ground(place.x, place.y), axis, chance.between(0.16, 0.36))
         })
         .collect();
     let mut turned = |name, color: Rgb, gloss, section: &[(f32, f32)]| {
         builder.part(name, Phong::of(color, gloss, 30.0));
         for &(foot, axis, size) in &all {
             let profile: Vec<Vec2> = section.iter().map(|&(x, y)| Vec2::new(x, y) * size).collect();
-            builder.revolve(foot, axis, &profile, segments);
+            builder.turned_around(foot, axis, &profile, segments);
         }
     };
     turned("mushrooms' stems", srgb(236, 226, 204), 0.0, &STEM);

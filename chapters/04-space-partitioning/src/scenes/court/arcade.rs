@@ -96,7 +96,7 @@ pub(super) fn moldings(builder: &mut Builder, bays: Bays, triangles: u32) {
             continue;
         }
         let middle = Vec3::new(bays.width() / 2.0, 8.15, 0.0);
-        builder.ball(steps, |p| frame.point_to_world(middle + p * Vec3::new(0.2, 0.2, 0.06)));
+        builder.closed_surface(steps, |p| frame.point_to_world(middle + p * Vec3::new(0.2, 0.2, 0.06)));
     }
 }
 

@@ -40,7 +40,7 @@ fn places() -> Vec<Plant> {
 /// Plants in pots, with as many leaves as bring the court to its size.
 pub(super) fn plants(builder: &mut Builder, triangles: u32) {
     const FEWEST: u32 = 90;
-    let left = triangles.saturating_sub(builder.count());
+    let left = builder.missing_to(triangles);
     let mut plants = places();
     plants.truncate(number(left, FEWEST, [1, 16]) as usize);
     let each = left / u32::try_from(plants.len()).unwrap_or(1);
@@ -69,7 +69,7 @@ pub(super) fn plants(builder: &mut Builder, triangles: u32) {
         }
     }
     oranges(builder, &plants, share(each, 0.1));
-    leaves(builder, &clouds, triangles.saturating_sub(builder.count()));
+    leaves(builder, &clouds, builder.missing_to(triangles));
 }
 
 /// Oranges in the crowns of the trees.
@@ -87,7 +87,7 @@ fn oranges(builder: &mut Builder, plants: &[Plant], each: u32) {
         let middle = plant.place + Vec3::Y * (plant.pot * 1.5 + plant.stem + plant.wide * 0.5);
         for _ in 0..ON_A_TREE {
             let place = middle + chance.direction() * (plant.wide * chance.between(0.86, 1.04));
-            builder.ball(steps, |p| place + p * 0.062);
+            builder.closed_surface(steps, |p| place + p * 0.062);
         }
     }
 }

@@ -62,10 +62,10 @@ pub(super) fn globe(builder: &mut Builder, triangles: u32) {
     if triangles < 200 {
         return;
     }
-    builder.ball(steps, |p| place + Vec3::Y * 1.05 + p * 0.26);
+    builder.closed_surface(steps, |p| place + Vec3::Y * 1.05 + p * 0.26);
     // Land stands a little higher than the sea, and like it.
     builder.part("land of the globe", Phong::of(srgb(168, 150, 96), 0.3, 40.0));
-    builder.ball(steps, |p| {
+    builder.closed_surface(steps, |p| {
         let wave = |p: Vec3| {
             float::sin(3.1 * p.x + 1.0) * float::cos(2.7 * p.z + 2.0 * p.y) + float::sin(4.3 * p.y + 2.9 * p.z)
         };
@@ -86,7 +86,7 @@ pub(super) fn globe(builder: &mut Builder, triangles: u32) {
 /// Plants in pots whose leaves bring the room to its size.
 pub(super) fn plants(builder: &mut Builder, triangles: u32) {
     let places = [Vec3::new(-1.75, 0.0, FAR + 0.75), Vec3::new(-3.35, 0.0, -2.2), Vec3::new(1.8, 0.0, FAR + 0.8)];
-    let left = triangles.saturating_sub(builder.count());
+    let left = builder.missing_to(triangles);
     let plants = number(left, 100, [0, 3]);
     let places = || places.into_iter().zip(0..plants).map(|(place, _)| place);
     let sides = number(left / 10, 14 * plants.max(1), [5, 96]);
@@ -110,7 +110,7 @@ pub(super) fn plants(builder: &mut Builder, triangles: u32) {
             clouds.push(Cloud { center: line[2], half: Vec3::new(0.22, 0.24, 0.22) });
         }
     }
-    let left = triangles.saturating_sub(builder.count());
+    let left = builder.missing_to(triangles);
     let fine = left > 20_000;
     let leaves = left / if fine { 4 } else { 2 };
     let length = leaf_length(5.2, leaves / plants.max(1)).clamp(0.01, 0.22);

@@ -12,7 +12,7 @@ pub(super) fn flange(builder: &mut Builder, center: Vec3, axis: Vec3, radius: f3
     let (out, half) = (radius * 1.6, radius * 0.22);
     let profile = [(radius, -half), (out, -half), (out, -half), (out, half), (out, half), (radius, half)]
         .map(|(x, y)| Vec2::new(x, y));
-    builder.revolve(center, axis, &profile, sides);
+    builder.turned_around(center, axis, &profile, sides);
     if bolts {
         let basis = Basis::around(axis);
         for bolt in 0..BOLTS {

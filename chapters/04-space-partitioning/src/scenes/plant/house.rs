@@ -1,14 +1,11 @@
 //! The boiler house: an open frame of many storeys with floors of gratings, railings and stairs.
 
-use common::{Stream, Vec3, color::srgb, float};
+use common::{Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
 use super::{
-    super::{
-        builder::Builder,
-        shape::{BOX, share},
-    },
-    steel::{column, flight, girder, grating, railing},
+    super::{budget::share, builder::Builder, chance::Chance, cuboid},
+    steel::{column, flight, girder, grating, plate, railing},
 };
 
 /// The two corners of the house, in meters.
@@ -27,7 +24,7 @@ struct Grid {
 impl Grid {
     /// As fine as so many triangles allow, when each bay has about four beams.
     fn of(triangles: u32) -> Self {
-        let scale = (triangles as f32 / (BAYS.element_product() * 4.0 * BOX as f32)).max(0.0);
+        let scale = (triangles as f32 / (BAYS.element_product() * 4.0 * cuboid::COST as f32)).max(0.0);
         let scale = float::cbrt(scale).min(FINEST);
         Self { bays: (BAYS * scale).to_array().map(|bays| (bays as u32).max(1)) }
     }
@@ -45,10 +42,10 @@ impl Grid {
 }
 
 /// The house, with about so many triangles at most.
-pub(super) fn house(builder: &mut Builder, triangles: u32, random: &mut Stream) {
+pub(super) fn house(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
     builder.part("steel frame", Phong::of(srgb(92, 112, 118), 0.25, 20.0));
     if triangles < 200 {
-        return builder.upright(LOW, HIGH);
+        return plate(builder, LOW, HIGH);
     }
     let for_frame = share(triangles, 0.32);
     let grid = Grid::of(for_frame);
@@ -61,7 +58,7 @@ pub(super) fn house(builder: &mut Builder, triangles: u32, random: &mut Stream) 
     for y in 1..=ny {
         for (x, z) in (0..nx).flat_map(|x| (0..nz).map(move |z| (x, z))) {
             let is_first = (x, y, z) == (0, 1, 0);
-            if is_first || random.uniform() < 0.68 {
+            if is_first || chance.happens(0.68) {
                 let (low, high) = (grid.at(x, y, z), grid.at(x + 1, y, z + 1));
                 grating(builder, low + Vec3::Y * 0.14, high + Vec3::Y * 0.22, share(for_floor, 1.4));
             }

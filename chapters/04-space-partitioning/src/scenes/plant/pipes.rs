@@ -1,13 +1,14 @@
 //! The pipes: bundles that run along the axes, with bends and flanges, through the house and on a rack before it.
 
-use common::{Stream, Vec3, color::srgb, float};
+use common::{Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
 use super::{
     super::{
+        budget::{number, share},
         builder::Builder,
-        noise::between,
-        shape::{BOX, share},
+        chance::Chance,
+        cuboid,
     },
     flange::flange,
     house::{HIGH, LOW},
@@ -26,8 +27,8 @@ const KINDS: [(&str, [u8; 3], f32); 5] = [
     ("red pipes", [176, 70, 52], 0.14),
     ("blue pipes", [72, 112, 160], 0.16),
 ];
-/// Pipes side by side in a bundle.
-const BUNDLE: u32 = 4;
+/// Most pipes side by side in a bundle.
+const BUNDLE: usize = 4;
 
 /// How finely pipes are cut.
 #[derive(Clone, Copy)]
@@ -42,7 +43,7 @@ struct Cut {
 pub(super) fn rack(builder: &mut Builder, triangles: u32) {
     let (z, left, right, height) = RACK;
     builder.part("pipe rack", Phong::of(srgb(92, 112, 118), 0.25, 20.0));
-    let frames = (triangles / (6 * BOX)).clamp(1, 24);
+    let frames = number(triangles, 6 * cuboid::COST, [1, 24]);
     let budget = triangles / frames / 5;
     for frame in 0..frames {
         let x = left + (right - left) * (frame as f32 + 0.5) / frames as f32;
@@ -55,7 +56,7 @@ pub(super) fn rack(builder: &mut Builder, triangles: u32) {
 }
 
 /// Pipes of so many triangles.
-pub(super) fn pipes(builder: &mut Builder, triangles: u32, random: &mut Stream) {
+pub(super) fn pipes(builder: &mut Builder, triangles: u32, chance: &mut Chance) {
     // More triangles make both more and finer pipes.
     let count = (0.13 * float::pow(triangles as f32, 0.7)).max(1.0);
     let each = triangles as f32 / count;
@@ -64,7 +65,7 @@ pub(super) fn pipes(builder: &mut Builder, triangles: u32, random: &mut Stream) 
     let cut = Cut { sides, bend, bolts: each > 450.0 };
     let start = builder.count();
     let mut until = 0.0;
-    let mut number = 0;
+    let mut bundle = 0;
     // The fewest have one color.
     let kinds = if triangles < 200 { &KINDS[..1] } else { &KINDS };
     for (i, &(name, [red, green, blue], part)) in kinds.iter().enumerate() {
@@ -75,11 +76,11 @@ pub(super) fn pipes(builder: &mut Builder, triangles: u32, random: &mut Stream) 
         let first = builder.count();
         while builder.count() < wanted || builder.count() == first {
             // Every third bundle lies on the rack.
-            let line = if number % 3 == 1 { rack_route(random) } else { house_route(random) };
+            let line = if bundle % 3 == 1 { rack_route(chance) } else { house_route(chance) };
             // The first are thick.
-            let radius = 0.5 * float::pow(1.0 + number as f32 / 5.0, -0.33) * between(random, 0.7, 1.2);
-            number += 1;
-            let in_bundle = if cut.sides < 4 { 1 } else { 1 + (random.uniform() * BUNDLE as f32) as u32 };
+            let radius = 0.5 * float::pow(1.0 + bundle as f32 / 5.0, -0.33) * chance.between(0.7, 1.2);
+            bundle += 1;
+            let in_bundle = if cut.sides < 4 { 1 } else { 1 + chance.index(BUNDLE) };
             for i in 0..in_bundle {
                 if builder.count() < wanted || i == 0 {
                     let aside = Vec3::new(1.0, 1.0, -1.0) * (3.4 * radius * i as f32);
@@ -92,42 +93,42 @@ pub(super) fn pipes(builder: &mut Builder, triangles: u32, random: &mut Stream) 
 }
 
 /// The corners of a way through the house.
-fn house_route(random: &mut Stream) -> Vec<Vec3> {
+fn house_route(chance: &mut Chance) -> Vec<Vec3> {
     let size = HIGH - LOW - Vec3::new(4.0, 3.0, 4.0);
-    let mut corner = LOW + Vec3::new(1.0, 1.0, 2.0) + size * Vec3::from_array([(); 3].map(|()| random.uniform()));
+    let mut corner =
+        LOW + Vec3::new(1.0, 1.0, 2.0) + size * Vec3::from_array([(); 3].map(|()| chance.between(0.0, 1.0)));
     // Many start at the front or the right, where they are seen.
-    if random.uniform() < 0.5 {
-        corner.z = HIGH.z - between(random, 0.2, 3.0);
-    } else if random.uniform() < 0.5 {
-        corner.x = HIGH.x - between(random, 0.2, 3.0);
+    if chance.happens(0.5) {
+        corner.z = HIGH.z - chance.between(0.2, 3.0);
+    } else if chance.happens(0.5) {
+        corner.x = HIGH.x - chance.between(0.2, 3.0);
     }
-    let legs = 3 + (random.uniform() * 4.0) as usize;
+    let legs = 3 + chance.index(4);
     let mut line = vec![corner];
-    let mut axis = (random.uniform() * 3.0) as usize;
+    let mut axis = chance.index(3);
     for _ in 0..legs {
         // To another place along the axis, and at least a little away.
         let low = LOW[axis] + 1.0;
         let reach = size[axis];
         let from = (corner[axis] - low) / reach;
-        let to = (from + between(random, 0.22, 0.78)).rem_euclid(1.0);
+        let to = (from + chance.between(0.22, 0.78)).rem_euclid(1.0);
         corner[axis] = low + reach * to;
         line.push(corner);
-        axis = (axis + if random.uniform() < 0.5 { 1 } else { 2 }) % 3;
+        axis = (axis + if chance.happens(0.5) { 1 } else { 2 }) % 3;
     }
     line
 }
 
 /// The corners of a way along the rack, with a loop that takes up the heat's expansion, and down or off at both ends.
-fn rack_route(random: &mut Stream) -> Vec<Vec3> {
+fn rack_route(chance: &mut Chance) -> Vec<Vec3> {
     let (z, left, right, height) = RACK;
-    let y = height + 0.4 + if random.uniform() < 0.5 { 0.0 } else { 2.8 };
-    let z = z + between(random, -0.42, 0.36) * WIDTH;
-    let (from, to) = (between(random, left, left + 40.0), between(random, right - 60.0, right));
-    let bow = between(random, from + 12.0, to - 12.0);
-    let (wide, high) = (between(random, 1.5, 4.0), between(random, 1.2, 2.6));
-    let start = if random.uniform() < 0.5 { Vec3::new(from, 0.0, z) } else { Vec3::new(from, y, 30.0) };
-    let end =
-        if random.uniform() < 0.4 { Vec3::new(to, 0.0, z) } else { Vec3::new(to, y, between(random, -12.0, -4.0)) };
+    let y = height + 0.4 + if chance.happens(0.5) { 0.0 } else { 2.8 };
+    let z = z + chance.between(-0.42, 0.36) * WIDTH;
+    let (from, to) = (chance.between(left, left + 40.0), chance.between(right - 60.0, right));
+    let bow = chance.between(from + 12.0, to - 12.0);
+    let (wide, high) = (chance.between(1.5, 4.0), chance.between(1.2, 2.6));
+    let start = if chance.happens(0.5) { Vec3::new(from, 0.0, z) } else { Vec3::new(from, y, 30.0) };
+    let end = if chance.happens(0.4) { Vec3::new(to, 0.0, z) } else { Vec3::new(to, y, chance.between(-12.0, -4.0)) };
     vec![
         start,
         Vec3::new(from, y, z),

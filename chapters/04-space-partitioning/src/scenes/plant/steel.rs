@@ -2,7 +2,7 @@
 
 use common::Vec3;
 
-use super::super::{builder::Builder, shape::BOX};
+use super::super::{builder::Builder, cuboid};
 
 /// Height of a handrail above the floor, in meters, and the thickness of its bars.
 const HANDRAIL: f32 = 1.1;
@@ -10,7 +10,7 @@ const BAR: f32 = 0.06;
 
 /// A beam of about so many triangles, at most: two chords with diagonals between if that is enough, otherwise a box.
 pub(super) fn girder(builder: &mut Builder, from: Vec3, to: Vec3, thickness: f32, triangles: u32) {
-    let panels = (triangles / BOX).saturating_sub(2).min(40);
+    let panels = (triangles / cuboid::COST).saturating_sub(2).min(40);
     if panels < 4 {
         return builder.beam(from, to, thickness);
     }
@@ -26,29 +26,35 @@ pub(super) fn girder(builder: &mut Builder, from: Vec3, to: Vec3, thickness: f32
 
 /// A column of at most so many triangles: of H section if that is enough, otherwise a box.
 pub(super) fn column(builder: &mut Builder, from: Vec3, to: Vec3, thickness: f32, triangles: u32) {
-    if triangles < 3 * BOX {
+    if triangles < 3 * cuboid::COST {
         return builder.beam(from, to, thickness);
     }
     let (half, thin) = (thickness / 2.0, thickness / 12.0);
-    let mut plate = |low: Vec3, high: Vec3| builder.upright(from + low, to + high);
-    plate(Vec3::new(-half, 0.0, -half), Vec3::new(half, 0.0, thin - half));
-    plate(Vec3::new(-half, 0.0, half - thin), Vec3::new(half, 0.0, half));
-    plate(Vec3::new(-thin / 2.0, 0.0, thin - half), Vec3::new(thin / 2.0, 0.0, half - thin));
+    let mut part = |low: Vec3, high: Vec3| plate(builder, from + low, to + high);
+    part(Vec3::new(-half, 0.0, -half), Vec3::new(half, 0.0, thin - half));
+    part(Vec3::new(-half, 0.0, half - thin), Vec3::new(half, 0.0, half));
+    part(Vec3::new(-thin / 2.0, 0.0, thin - half), Vec3::new(thin / 2.0, 0.0, half - thin));
+}
+
+/// A solid plate along the axes, however thick, from its least to its greatest coordinates.
+pub(super) fn plate(builder: &mut Builder, low: Vec3, high: Vec3) {
+    let half = (high - low) / 2.0;
+    builder.cuboid_around(low + half, [Vec3::X * half.x, Vec3::Y * half.y, Vec3::Z * half.z]);
 }
 
 /// A floor of at most so many triangles, or a plate: bars along x, and one in eight across.
 pub(super) fn grating(builder: &mut Builder, low: Vec3, high: Vec3, triangles: u32) {
     /// Least distance between bars, in meters.
     const PITCH: f32 = 0.05;
-    let bars = (triangles / BOX).min(((high.z - low.z) / PITCH) as u32);
+    let bars = (triangles / cuboid::COST).min(((high.z - low.z) / PITCH) as u32);
     if bars < 8 {
-        return builder.upright(low, high);
+        return plate(builder, low, high);
     }
     let across = bars / 8;
     let mut rows = |count: u32, size: f32, place: &dyn Fn(f32) -> (Vec3, Vec3)| {
         for i in 0..count {
             let (from, to) = place(size * (i as f32 + 0.25) / count as f32);
-            builder.upright(from, to);
+            plate(builder, from, to);
         }
     };
     let size = high - low;
@@ -64,7 +70,7 @@ pub(super) fn grating(builder: &mut Builder, low: Vec3, high: Vec3, triangles: u
 pub(super) fn railing(builder: &mut Builder, from: Vec3, to: Vec3, triangles: u32) {
     /// Least distance between posts, in meters.
     const PITCH: f32 = 0.14;
-    let bars = triangles / BOX;
+    let bars = triangles / cuboid::COST;
     if bars < 2 {
         return;
     }
@@ -85,7 +91,7 @@ pub(super) fn railing(builder: &mut Builder, from: Vec3, to: Vec3, triangles: u3
 pub(super) fn flight(builder: &mut Builder, from: Vec3, to: Vec3, aside: Vec3, triangles: u32) {
     /// Least height of a step, in meters.
     const RISE: f32 = 0.17;
-    let bars = triangles / BOX;
+    let bars = triangles / cuboid::COST;
     // Two strings, and the steps between.
     let width = aside.length();
     for edge in [Vec3::ZERO, aside] {
@@ -95,7 +101,7 @@ pub(super) fn flight(builder: &mut Builder, from: Vec3, to: Vec3, aside: Vec3, t
     for step in 0..steps {
         let place = from.lerp(to, (step as f32 + 0.5) / steps as f32) + aside / 2.0;
         let along = Vec3::Y.cross(aside).normalize_or(Vec3::X);
-        builder.solid(place, [aside.normalize_or(Vec3::Z) * (width / 2.0), Vec3::Y * 0.03, -along * 0.14]);
+        builder.cuboid_around(place, [aside.normalize_or(Vec3::Z) * (width / 2.0), Vec3::Y * 0.03, -along * 0.14]);
     }
     if bars > 40 {
         for edge in [Vec3::ZERO, aside] {

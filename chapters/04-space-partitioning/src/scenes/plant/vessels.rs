@@ -5,8 +5,9 @@ use ray_casting::material::Phong;
 
 use super::{
     super::{
+        ball,
+        budget::{number, share},
         builder::Builder,
-        shape::{fineness, share},
     },
     steel::railing,
 };
@@ -92,10 +93,10 @@ pub(super) fn vessels(builder: &mut Builder, triangles: u32) {
     builder.part("tanks and gas holders", Phong::of(srgb(232, 228, 216), 0.2, 24.0));
     let tanks = some(&TANKS, share(triangles, 0.24), 42);
     all(builder, tanks, &TANK, share(triangles, 0.24));
-    let holders = &HOLDERS[..(triangles / 80).clamp(1, HOLDERS.len() as u32) as usize];
+    let holders = &HOLDERS[..number(triangles, 80, [1, HOLDERS.len() as u32]) as usize];
     for &(x, z, radius) in holders {
-        let fineness = fineness(share(triangles, 0.12), holders.len() as u32).max(2);
-        builder.globe(Vec3::new(x, radius + 2.5, z), radius, fineness);
+        let fineness = ball::fineness(share(triangles, 0.12), holders.len() as u32).max(2);
+        builder.ball(Vec3::new(x, radius + 2.5, z), radius, fineness);
     }
 
     // Legs of the gas holders and railings of the tanks.
@@ -127,7 +128,7 @@ fn around(x: f32, z: f32, radius: f32, turn: f32) -> Vec3 {
 
 /// As many of the vessels as so many triangles allow, but at least one.
 fn some(vessels: &[Vessel], triangles: u32, least: u32) -> &[Vessel] {
-    let count = (triangles / least).clamp(1, vessels.len() as u32);
+    let count = number(triangles, least, [1, vessels.len() as u32]);
     &vessels[..count as usize]
 }
 
@@ -161,5 +162,5 @@ fn turned(builder: &mut Builder, foot: Vec3, size: (f32, f32), section: &[(f32, 
         }
     };
     let steps = profile.windows(2).filter(|pair| pair[0] != pair[1]).count() as u32;
-    builder.revolve(foot, Vec3::Y, &profile, triangles / (2 * steps).max(1));
+    builder.turned_around(foot, Vec3::Y, &profile, triangles / (2 * steps).max(1));
 }

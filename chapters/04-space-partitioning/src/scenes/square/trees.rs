@@ -155,7 +155,7 @@ pub(super) fn wood(builder: &mut Builder, triangles: u32) {
 /// Leaves in several greens, as many as bring the square to its size.
 pub(super) fn leaves(builder: &mut Builder, triangles: u32) {
     let trees = trees(share(triangles, 0.03));
-    let left = triangles.saturating_sub(builder.count());
+    let left = builder.missing_to(triangles);
     let fine = left > 1_000_000;
     let number = left / if fine { 4 } else { 2 };
     let area: f32 = trees.iter().map(|(tree, _)| tree.area()).sum();

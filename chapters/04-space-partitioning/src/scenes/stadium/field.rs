@@ -3,7 +3,10 @@
 use common::{Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
-use super::super::{builder::Builder, shape::share};
+use super::super::{
+    budget::{number, share},
+    builder::Builder,
+};
 
 /// Half the length and half the width of the field, in meters.
 const HALF: (f32, f32) = (52.5, 34.0);
@@ -20,7 +23,7 @@ pub(super) fn field(builder: &mut Builder, triangles: u32) {
     level(builder, -95.0, 95.0, -90.0, 90.0, -0.04);
 
     // Stripes across the field, of two greens.
-    let stripes = (triangles / 40).clamp(2, 22);
+    let stripes = number(triangles, 40, [2, 22]);
     for (name, color, parity) in [("lawn", srgb(64, 118, 48), 0), ("lawn, mown back", srgb(84, 140, 58), 1)] {
         builder.part(name, Phong::of(color, 0.0, 1.0));
         let at = |stripe: u32| HALF.0 * (2.0 * stripe as f32 / stripes as f32 - 1.0);

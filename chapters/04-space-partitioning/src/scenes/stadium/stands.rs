@@ -3,10 +3,7 @@
 use common::{Vec2, Vec3, color::srgb, float};
 use ray_casting::material::Phong;
 
-use super::super::{
-    builder::Builder,
-    shape::{BOX, share},
-};
+use super::super::{budget::share, builder::Builder, cuboid};
 
 /// Half the inner length and width of the ring of stands, in meters.
 const INNER: Vec2 = Vec2::new(66.0, 46.0);
@@ -65,7 +62,7 @@ pub(super) fn stands(builder: &mut Builder, triangles: u32) {
     }
 
     if triangles > 150 {
-        roof(builder, segments, share(triangles, 0.1) / BOX);
+        roof(builder, segments, share(triangles, 0.1) / cuboid::COST);
     }
 }
 
@@ -109,14 +106,14 @@ pub(super) fn floodlight(builder: &mut Builder, lamps: Vec3, detailed: bool) {
     let toward = Vec3::new(-lamps.x, -0.5 * lamps.y, -lamps.z).normalize_or(Vec3::X);
     let aside = toward.cross(Vec3::Y).normalize_or(Vec3::Z);
     let up = aside.cross(toward);
-    builder.solid(top, [aside * 4.6, up * 3.4, -toward * 0.2]);
+    builder.cuboid_around(top, [aside * 4.6, up * 3.4, -toward * 0.2]);
     if detailed {
         // Rows of round lamps.
         for row in -1..=1 {
             for column in -2..=2 {
                 let place = top + aside * (1.7 * column as f32) + up * (2.0 * row as f32) + toward * 0.2;
                 let profile = [Vec2::new(0.75, 0.0), Vec2::new(0.75, 0.5), Vec2::new(0.75, 0.5), Vec2::new(0.0, 0.6)];
-                builder.revolve(place, toward, &profile, 8);
+                builder.turned_around(place, toward, &profile, 8);
             }
         }
     }

@@ -3,10 +3,7 @@
 use common::{Vec2, Vec3, color::srgb};
 use ray_casting::material::Phong;
 
-use super::super::{
-    builder::Builder,
-    shape::{share, spline},
-};
+use super::super::{budget::share, builder::Builder, spline::on_spline};
 
 /// Half sections, from below to above: distance from the axis and height, in meters.
 const BODY: [(f32, f32); 13] = [
@@ -69,10 +66,10 @@ fn turned(builder: &mut Builder, section: &[(f32, f32)], triangles: u32) {
     let segments = (triangles / (2 * rows)).max(3);
     let points: Vec<Vec3> = section.iter().map(|&(x, y)| Vec3::new(x, y, 0.0)).collect();
     let profile: Vec<Vec2> = (0..=rows)
-        .map(|row| spline(&points, row as f32 / rows as f32))
+        .map(|row| on_spline(&points, row as f32 / rows as f32))
         .map(|point| Vec2::new(point.x.max(0.0), point.y))
         .collect();
-    builder.revolve(Vec3::ZERO, Vec3::Y, &profile, segments);
+    builder.turned_around(Vec3::ZERO, Vec3::Y, &profile, segments);
 }
 
 /// A tube of about so many triangles, along the smooth curve through the given points.
@@ -82,6 +79,6 @@ fn swept(builder: &mut Builder, line: &[(f32, f32, f32)], triangles: u32) {
     let points: Vec<Vec3> = line.iter().map(|&(x, y, _)| Vec3::new(x, y, 0.0)).collect();
     let radii: Vec<Vec3> = line.iter().map(|&(.., radius)| Vec3::splat(radius)).collect();
     let at = |i: u32| i as f32 / pieces as f32;
-    let centers: Vec<Vec3> = (0..=pieces).map(|i| spline(&points, at(i))).collect();
-    builder.tube(&centers, sides, |i| spline(&radii, i as f32 / pieces as f32).x);
+    let centers: Vec<Vec3> = (0..=pieces).map(|i| on_spline(&points, at(i))).collect();
+    builder.tube(&centers, sides, |i| on_spline(&radii, i as f32 / pieces as f32).x);
 }

@@ -17,6 +17,7 @@ pub mod plot;
 #[cfg(test)]
 mod proof;
 pub mod reports;
+pub mod sky_light;
 pub mod slope;
 pub mod uniform_hemisphere;
 pub mod uniform_sphere;

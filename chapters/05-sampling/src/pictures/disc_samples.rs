@@ -35,7 +35,7 @@ pub(super) const PICTURE: Picture = Picture {
           a straight line, which lies above the share of the disc's area that all others follow.",
     knobs: &[CELLS],
     size: Size::of::<960, 690>(),
-    samples: 16,
+    samples: 4,
     takes_mesh: false,
     make,
 };
@@ -147,10 +147,11 @@ fn plot(drawing: &mut Drawing, middle: Vec2) {
         drawing.line(&[at(share, 0.0), at(share, 1.0)], Pen::new(GRID, 1.2));
     }
     drawing.line(&[at(0.0, 1.0), at(0.0, 0.0), at(1.0, 0.0)], Pen::new(FAINT, 1.6));
+    // Dense near 0, where the root is steep.
+    let share = |i: u8| (f32::from(i) / 64.0) * (f32::from(i) / 64.0);
     for (map, color) in [(&MAPS[2], RED), (&MAPS[3], GREEN)] {
         // The radius of the share u of all points is that of the map: both are measured along the square's axis.
-        let points: Vec<Vec2> =
-            (0..=64_u8).map(|i| f32::from(i) / 64.0).map(|u| at((map.to)(Vec2::new(u, 0.0)).x, u)).collect();
+        let points: Vec<Vec2> = (0..=64_u8).map(|i| share(i)).map(|u| at((map.to)(Vec2::new(u, 0.0)).x, u)).collect();
         drawing.line(&points, Pen::new(color, 2.8));
     }
     drawing.text("share of points", at(0.0, 1.0) - Vec2::Y * 18.0, letters);

@@ -29,8 +29,8 @@ pub(super) const PICTURE: Picture = Picture {
     name: "hemisphere-samples",
     alt: "Four columns of 1,000 directions each, as points of the unit sphere seen from the side and from above, with \
           a histogram of the cosine of the angle to the vertical and the density that is claimed. Red, points of a \
-          cube that were not rejected: from above four clusters lie toward the corners, and the bars have a \
-          step that the claimed line has not. Gold, the uniform sphere: even all over, bars all of one height. Blue, the \
+          cube that were not rejected: from above four clusters lie toward the corners, and the bars have two \
+          peaks where the claimed line is level. Gold, the uniform sphere: even all over, bars all of one height. Blue, the \
           uniform hemisphere: the upper half only, bars of one height from 0 to 1. Green, the cosine hemisphere: \
           sparse near the horizon, evenly spread over the disc seen from above, and bars that rise in a straight \
           line.",
@@ -125,6 +125,8 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
         histogram(&mut page, middle, way, &bars(way, &mut random));
     }
     let note = Lettering::new(17.0, FAINT).aligned(Align::Center);
+    page.text("from the side", Vec2::new(PAGE.x / 2.0, 272.0), note);
+    page.text("from above", Vec2::new(PAGE.x / 2.0, 486.0), note);
     page.text("cosθ", Vec2::new(PAGE.x / 2.0, 648.0), note);
     Ok(Box::new(page))
 }

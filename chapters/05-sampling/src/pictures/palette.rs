@@ -16,8 +16,8 @@ pub(super) fn ramp(share: f32) -> Rgb {
     /// How many steps there are.
     const STEPS: f32 = 5.0;
     let colors = [
-        srgb(34, 30, 74),
-        srgb(86, 36, 110),
+        srgb(50, 46, 112),
+        srgb(98, 42, 122),
         srgb(160, 48, 104),
         srgb(222, 84, 72),
         srgb(248, 154, 64),

@@ -57,7 +57,7 @@ const TANGENTS: [fn(Vec3) -> Vec3; 2] = [naive, sound];
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     // Seen from here both the x axis and the plane z = 0 are in front.
     let [yaw, pitch] =
-        [(YAW, 48.0_f32), (PITCH, 28.0)].map(|(knob, add)| (settings.values.number(&knob) + add).to_radians());
+        [(YAW, 64.0_f32), (PITCH, 28.0)].map(|(knob, add)| (settings.values.number(&knob) + add).to_radians());
     let viewer = Vec3::new(float::sin(yaw) * float::cos(pitch), float::sin(pitch), float::cos(yaw) * float::cos(pitch));
     let right = Vec3::new(float::cos(yaw), 0.0, -float::sin(yaw));
     let globe = Globe { right, up: viewer.cross(right), viewer };
@@ -71,7 +71,9 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
             let at = MIDDLES[0] + place * RADIUS;
             drawing.disc(at, 9.0, SLATE).disc(at, 6.5, RED.lerp(Rgb::X, 0.5));
             let beside = Lettering::new(19.0, CHALK);
-            drawing.text("NaN", at + Vec2::new(16.0, beside.drop()), beside);
+            let corners = [[12.0, -15.0], [62.0, -15.0], [62.0, 15.0], [12.0, 15.0]];
+            drawing.polygon(&corners.map(|corner| at + Vec2::from_array(corner)), SLATE, 0.8);
+            drawing.text("NaN", at + Vec2::new(18.0, beside.drop()), beside);
         }
     }
     let [left, size] = BAR;
@@ -130,7 +132,7 @@ fn comb(drawing: &mut Drawing, globe: &Globe, tangent: fn(Vec3) -> Vec3, middle:
 // ANCHOR: turn
 /// How far the tangent turns for a small turn of the normal, divided by that turn: the greatest over all directions.
 fn turn(tangent: fn(Vec3) -> Vec3, normal: Vec3) -> f32 {
-    const SMALL: f32 = 0.004;
+    const SMALL: f32 = 0.008;
     let Basis { tangent: one, bitangent: other, .. } = Basis::around(normal);
     let ways = [one, other, (one + other).normalize(), (one - other).normalize()];
     let turns = ways.map(|way| {

@@ -26,8 +26,8 @@ use crate::{
     sky_light::{Choice, SkyLight},
 };
 
-/// How many samples the middle panels have; those before have one, those behind the square.
-const SAMPLES: Knob =
+/// The middle panels have so many samples, those before them one, those behind them the square.
+const FACTOR: Knob =
     Knob::number("factor", "how many times as many samples from panel to panel", [2.0, 16.0], 10.0, "", Step::Whole);
 
 pub(super) const PICTURE: Picture = Picture {
@@ -38,7 +38,7 @@ pub(super) const PICTURE: Picture = Picture {
           cosine-distributed and mirror directions: much less noise at the same number of samples, and both metal \
           balls are there, showing the sky and their neighbors without any noise of their own. Below each panel stands its \
           variance, which falls to a tenth from panel to panel and is smaller in the lower row.",
-    knobs: &[SAMPLES, ORBIT[0], ORBIT[1], ORBIT[2]],
+    knobs: &[FACTOR, ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 580>(),
     samples: 1,
     takes_mesh: false,
@@ -50,6 +50,10 @@ const PAGE: Vec2 = Vec2::new(960.0, 580.0);
 const FIRST: Vec2 = Vec2::new(12.0, 72.0);
 const PANEL: Vec2 = Vec2::new(304.0, 200.0);
 const NEXT: Vec2 = Vec2::new(316.0, 266.0);
+/// Who looks.
+const EYE: [f32; 3] = [0.0, 2.7, 5.7];
+const LOOKAT: [f32; 3] = [0.05, 0.5, 0.1];
+const FIELD_OF_VIEW: f32 = 22.0;
 /// The two rows.
 const ROWS: [(Choice, &str, Rgb); 2] = [
     (Choice::Uniform, "uniform directions", BLUE),
@@ -57,8 +61,8 @@ const ROWS: [(Choice, &str, Rgb); 2] = [
 ];
 
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
-    let camera = stage::camera([0.0, 1.55, 6.2], [0.0, 0.56, 0.0], 24.0, &settings.values)?;
-    let factor = settings.values.index(&SAMPLES) as u32;
+    let camera = stage::camera(EYE, LOOKAT, FIELD_OF_VIEW, &settings.values)?;
+    let factor = settings.values.index(&FACTOR) as u32;
     let counts = [1, factor, factor * factor];
     let mut drawing = Drawing::new(PAGE, SLATE);
     let rows = ROWS.map(|(choice, ..)| scene().map(|scene| SkyLight { scene, camera, choice }));
@@ -123,8 +127,8 @@ impl Background for Morning {
         let direction = direction.normalize();
         let near = direction.dot(Vec3::new(-0.64, 0.6, 0.48)) / 2.0 + 0.5;
         let height = direction.y.max(0.0);
-        let sky = Rgb::new(0.72, 0.62, 0.54).lerp(Rgb::new(0.22, 0.38, 0.72), height.sqrt());
-        sky + Rgb::new(1.9, 1.6, 1.15) * float::pow(near, 12.0)
+        let sky = Rgb::new(0.62, 0.52, 0.46).lerp(Rgb::new(0.34, 0.5, 0.82), height.sqrt());
+        sky + Rgb::new(0.9, 0.74, 0.5) * float::pow(near, 4.0)
     }
 }
 // ANCHOR_END: sky
@@ -164,7 +168,7 @@ pub fn variance(lit: &SkyLight, samples: u32) -> f64 {
 /// # Errors
 /// None, since the camera has a direction to look in.
 pub fn seen(choice: Choice) -> Result<SkyLight, Error> {
-    let camera = Camera::new(Vec3::new(0.0, 1.55, 6.2), Vec3::new(0.0, 0.56, 0.0), Vec3::Y, 24.0);
+    let camera = Camera::new(Vec3::from_array(EYE), Vec3::from_array(LOOKAT), Vec3::Y, FIELD_OF_VIEW);
     Ok(SkyLight { scene: scene()?, camera: camera.map_err(stage::camera_error)?, choice })
 }
 

@@ -15,8 +15,8 @@ use common::{
     story::{Story, Untold, triple},
 };
 use ray_casting::{
-    background::Background, camera::Camera, frame::Frame, material::Phong, pictures::stage, quadric::Quadric,
-    scene::Scene, sphere::Sphere,
+    background::Background, frame::Frame, material::Phong, pictures::stage, quadric::Quadric, scene::Scene,
+    sphere::Sphere,
 };
 use whitted::material::Material;
 
@@ -61,12 +61,10 @@ const ROWS: [(Choice, &str, Rgb); 2] = [
 ];
 
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
-    let camera = stage::camera(EYE, LOOKAT, FIELD_OF_VIEW, &settings.values)?;
     let factor = settings.values.index(&FACTOR) as u32;
     let counts = [1, factor, factor * factor];
     let mut drawing = Drawing::new(PAGE, SLATE);
-    let rows = ROWS.map(|(choice, ..)| scene().map(|scene| SkyLight { scene, camera, choice }));
-    let [uniform, cosine] = rows;
+    let [uniform, cosine] = ROWS.map(|(choice, ..)| seen(choice, settings));
     let rows = [uniform?, cosine?];
     for (column, samples) in (0_u8..).zip(counts) {
         let middle = FIRST.x + PANEL.x / 2.0 + NEXT.x * f32::from(column);
@@ -163,13 +161,13 @@ pub fn variance(lit: &SkyLight, samples: u32) -> f64 {
 }
 // ANCHOR_END: variance
 
-/// The picture's scene before its camera, for whoever wants to measure it.
+/// The scene of the picture, and who looks at it.
 ///
 /// # Errors
-/// None, since the camera has a direction to look in.
-pub fn seen(choice: Choice) -> Result<SkyLight, Error> {
-    let camera = Camera::new(Vec3::from_array(EYE), Vec3::from_array(LOOKAT), Vec3::Y, FIELD_OF_VIEW);
-    Ok(SkyLight { scene: scene()?, camera: camera.map_err(stage::camera_error)?, choice })
+/// [`Error::Picture`] if the knobs leave no direction to look in.
+pub fn seen(choice: Choice, settings: &Settings) -> Result<SkyLight, Error> {
+    let camera = stage::camera(EYE, LOOKAT, FIELD_OF_VIEW, &settings.values)?;
+    Ok(SkyLight { scene: scene()?, camera, choice })
 }
 
 /// The panels, and what is drawn around them.
@@ -219,7 +217,7 @@ mod tests {
 
     #[test]
     fn ten_times_the_samples_have_a_tenth_of_the_variance_and_the_cosine_has_less() {
-        let [uniform, cosine] = ROWS.map(|(choice, ..)| seen(choice).unwrap());
+        let [uniform, cosine] = ROWS.map(|(choice, ..)| seen(choice, &Settings::default()).unwrap());
         let [one, ten] = [1, 10].map(|samples| variance(&uniform, samples));
         assert!((8.0..12.5).contains(&(one / ten)), "{one} {ten}");
         assert!(variance(&cosine, 1) < 0.7 * one, "{one}");

@@ -159,7 +159,7 @@ mod tests {
         let ray = Ray::new(Vec3::Y * 0.2, -Vec3::Y);
         let shaded =
             monte_carlo(4000, &mut Stream::new(1, 0, 0), |random| lit.trace(ray, random, &mut Untold).x.into());
-        // A sphere of radius R at the distance d straight above hides the share (R/d)² of the cosine-weighted hemisphere.
+        // A sphere of radius R at the distance d straight above hides the share (R/d)² of the weighted hemisphere.
         let expected = 0.2 * std::f64::consts::PI * (1.0 - 1.2 * 1.2 / (1.5 * 1.5));
         assert!((shaded.mean() - expected).abs() < 4.0 / 3.0 * shaded.three_sigma(), "{shaded:?}");
     }

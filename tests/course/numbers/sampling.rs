@@ -57,7 +57,10 @@ pub(super) fn measured() -> String {
 }
 
 fn integration(numbers: &mut Numbers) {
-    numbers.about("The error of π/4, the integral of √(1 − x²) from 0 to 1, with M regular samples: what 1/(2M) says, and\n# what it is at the left ends and in the middles of the cells.");
+    numbers.about(
+        "The error of π/4, the integral of √(1 − x²) from 0 to 1, with M regular samples: what 1/(2M) says, and\n\
+         # what it is at the left ends and in the middles of the cells.",
+    );
     for count in [10, 100, 1000] {
         let error = |placement| figures((QUARTER.regular(1, count, placement) - FRAC_PI_4).abs());
         numbers.pin(&format!("quarter-law-{count}"), figures(0.5 / f64::from(count)));
@@ -69,7 +72,9 @@ fn integration(numbers: &mut Numbers) {
 fn dimensions(numbers: &mut Numbers) {
     const EFFORT: Effort = Effort { samples: 65_536, runs: 32, seed: 0 };
     numbers.about(
-        "The integral 'product' in D dimensions with at most 65,536 samples: slopes on a log-log plot, of regular samples\n# and of random ones over 32 runs; last errors; and the slope of the law. Then the slope of 'mean', of which the law\n# is exact.",
+        "The integral 'product' in D dimensions with at most 65,536 samples: slopes on a log-log plot, of regular\n\
+         # samples and of random ones over 32 runs; last errors; and the slope of the law. Then the slope of\n\
+         # 'mean', of which the law is exact.",
     );
     for dimension in 1..=MAX_DIMENSION {
         let convergence = Convergence::measure(&PRODUCT, dimension, EFFORT);
@@ -87,7 +92,10 @@ fn dimensions(numbers: &mut Numbers) {
 
 fn three_sigma(numbers: &mut Numbers) {
     const RUNS: usize = 50_000;
-    numbers.about("Of 50,000 runs in one dimension, the share that is off by more than 3σ: by the known σ, and by the estimated one.");
+    numbers.about(
+        "Of 50,000 runs in one dimension, the share that is off by more than 3σ: by the known σ, and by the\n\
+         # estimated one.",
+    );
     numbers.pin("outside-normal", percent(NORMAL_SHARE));
     numbers.pin("outside-runs", grouped(RUNS as u32));
     numbers.pin("outside-chance", percent(3.0 * (NORMAL_SHARE / RUNS as f64).sqrt()));
@@ -110,7 +118,10 @@ fn directions(numbers: &mut Numbers) {
     }
     let uncertain = mean_cosine::measure(SAMPLES, 0)[Scheme::Uniform as usize].cosine.three_sigma();
     numbers.pin("cosine-three-sigma", format!("{uncertain:.4}"));
-    numbers.about("How much denser directions are toward a corner of the cube than toward the middle of a face; mean number of\n# trials until a point of the cube lies in the ball, and of the square in the disc.");
+    numbers.about(
+        "How much denser directions are toward a corner of the cube than toward the middle of a face; mean number\n\
+         # of trials until a point of the cube lies in the ball, and of the square in the disc.",
+    );
     numbers.pin("corner-crowding", format!("{:.1}", 27.0_f64.sqrt()));
     numbers.pin("trials-ball", format!("{:.2}", 1.5 / FRAC_PI_4));
     numbers.pin("trials-disc", format!("{:.2}", 1.0 / FRAC_PI_4));
@@ -128,7 +139,11 @@ fn directions(numbers: &mut Numbers) {
 
 fn frames(numbers: &mut Numbers) {
     const NORMALS: u32 = 100_000;
-    numbers.about("Tangents of 100,000 random normals and of the six axes: how many are not numbers by N × (1, 0, 0), of the random\n# ones and of the axes; and how far the sound basis is off from right angles and unit lengths at most.");
+    numbers.about(
+        "Tangents of 100,000 random normals and of the six axes: how many are not numbers by N × (1, 0, 0), of\n\
+         # the random ones and of the axes; and how far the sound basis is off from right angles and unit lengths\n\
+         # at most.",
+    );
     let mut random = Stream::new(0, 0, 0);
     let mut normals: Vec<Vec3> = (0..NORMALS).map(|_| sample_uniform_sphere(sample_unit_square(&mut random))).collect();
     let is_lost = |normal: &&Vec3| {
@@ -150,7 +165,10 @@ fn frames(numbers: &mut Numbers) {
 }
 
 fn comparison(numbers: &mut Numbers) {
-    numbers.about("The variance of a pixel in the picture 'uniform-against-cosine', by samples per pixel; and how many times\n# smaller it is with cosine-distributed and mirror directions.");
+    numbers.about(
+        "The variance of a pixel in the picture 'uniform-against-cosine', by samples per pixel; and how many\n\
+         # times smaller it is with cosine-distributed and mirror directions.",
+    );
     let [uniform, cosine] =
         [Choice::Uniform, Choice::CosineAndMirror].map(|choice| seen(choice, &Settings::default()).unwrap());
     for samples in [1, 10, 100] {

@@ -30,10 +30,10 @@ const RUNS: Knob =
 
 pub(super) const PICTURE: Picture = Picture {
     name: "convergence",
-    alt: "A plot on logarithmic axes: the error of an integral over the number of samples, up to 65,536. Four lines of \
-          regular samples, from light blue to violet: in one dimension the error falls steeply, with the slope −1; in \
-          two with −½; in four with about −¼; in eight it hardly falls at all. Four golden lines of random samples in \
-          the same dimensions lie over each other, all with a slope of about −½.",
+    alt: "A plot on logarithmic axes: the error of an integral over the number of samples, up to 65,536. Four lines \
+          of regular samples, from light blue to violet: in one dimension the error falls steeply, with the slope \
+          −1; in two with −½; in four with about −¼; in eight it hardly falls at all. Four golden lines of random \
+          samples in the same dimensions lie over each other, all with a slope of about −½.",
     knobs: &[INTEGRAL, SAMPLES, RUNS],
     size: Size::of::<960, 560>(),
     samples: 1,

@@ -26,13 +26,13 @@ const CELLS: Knob = Knob::number("cells", "cells along each side of the square",
 
 pub(super) const PICTURE: Picture = Picture {
     name: "disc-samples",
-    alt: "A square of 16 by 16 cells, colored from violet at the left to yellow at the right, with a dot in the middle of \
-          each; and what four ways to the disc make of it. By rejection the square stays as it is, and its corners \
-          outside the disc are thrown away. Polar without the root, marked as wrong: columns become rings of equal \
-          width, and cells and dots crowd at the center. Polar: rings get thinner outward, and all cells have equal \
-          area, but those at the rim are long and thin. Concentric: columns bend, neighbors stay neighbors, \
-          and cells stay nearly square. A plot shows the share of the dots within each radius: without the root it is \
-          a straight line, which lies above the share of the disc's area that all others follow.",
+    alt: "A square of 16 by 16 cells, colored from violet at the left to yellow at the right, with a dot in the \
+          middle of each; and what four ways to the disc make of it. By rejection the square stays as it is, and \
+          its corners outside the disc are thrown away. Polar without the root, marked as wrong: columns become \
+          rings of equal width, and cells and dots crowd at the center. Polar: rings get thinner outward, and all \
+          cells have equal area, but those at the rim are long and thin. Concentric: columns bend, neighbors stay \
+          neighbors, and cells stay nearly square. A plot shows the share of the dots within each radius: without \
+          the root it is a straight line, which lies above the share of the disc's area that all others follow.",
     knobs: &[CELLS],
     size: Size::of::<960, 690>(),
     samples: 4,

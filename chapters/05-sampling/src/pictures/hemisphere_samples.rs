@@ -27,13 +27,13 @@ const POINTS: Knob =
 
 pub(super) const PICTURE: Picture = Picture {
     name: "hemisphere-samples",
-    alt: "Four columns of 1,000 directions each, as points of the unit sphere seen from the side and from above, with \
-          a histogram of the cosine of the angle to the vertical and the density that is claimed. Red, points of a \
-          cube that were not rejected: from above four clusters lie toward the corners, and the bars have two \
-          peaks where the claimed line is level. Gold, the uniform sphere: even all over, bars all of one height. Blue, the \
-          uniform hemisphere: the upper half only, bars of one height from 0 to 1. Green, the cosine hemisphere: \
-          sparse near the horizon, evenly spread over the disc seen from above, and bars that rise in a straight \
-          line.",
+    alt: "Four columns of 1,000 directions each, as points of the unit sphere seen from the side and from above, \
+          with a histogram of the cosine of the angle to the vertical and the density that is claimed. Red, points \
+          of a cube that were not rejected: from above four clusters lie toward the corners, and the bars have two \
+          peaks where the claimed line is level. Gold, the uniform sphere: even all over, bars all of one height. \
+          Blue, the uniform hemisphere: the upper half only, bars of one height from 0 to 1. Green, the cosine \
+          hemisphere: sparse near the horizon, evenly spread over the disc seen from above, and bars that rise in a \
+          straight line.",
     knobs: &[POINTS],
     size: Size::of::<960, 660>(),
     samples: 1,

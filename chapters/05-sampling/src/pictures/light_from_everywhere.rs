@@ -33,12 +33,12 @@ const Z: Knob = Knob::number("z", "the point, to the front", [-4.0, 4.0], 0.52, 
 
 pub(super) const PICTURE: Picture = Picture {
     name: "light-from-everywhere",
-    alt: "Left, balls of gold, silver, copper, glass and porcelain on a round terrace at sea in the evening. A small \
-          white dome stands over one point of the terrace, in the shadow between the balls. Right, a large disc shows \
-          all that this point sees, as a map from above: the violet and rosy sky in the middle, and around it, bent \
-          along the edge, the balls that stand there. Below are two swatches of color: what the point would send back \
-          under a constant ambient light, and what it sends back when all of the disc is summed, which is darker and \
-          warmer.",
+    alt: "Left, balls of gold, silver, copper, glass and porcelain on a round terrace at sea in the evening. A \
+          small white dome stands over one point of the terrace, in the shadow between the balls. Right, a large \
+          disc shows all that this point sees, as a map from above: the violet and rosy sky in the middle, and \
+          around it, bent along the edge, the balls that stand there. Below are two swatches of color: what the \
+          point would send back under a constant ambient light, and what it sends back when all of the disc is \
+          summed, which is darker and warmer.",
     knobs: &[X, Z, ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 540>(),
     samples: 8,

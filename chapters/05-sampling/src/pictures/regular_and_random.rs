@@ -22,9 +22,9 @@ const POINTS: Knob = Knob::number("points", "which random points are drawn", [0.
 
 pub(super) const PICTURE: Picture = Picture {
     name: "regular-and-random",
-    alt: "Six squares with 16, 64 and 256 points: in the upper row in regular rows and columns, blue, in the lower row \
-          random, gold. Below each square is the shadow of its points on the lower edge. Sixteen regular points fall \
-          together in four places, 64 in eight and 256 in sixteen. The shadows of random points all lie apart: \
+    alt: "Six squares with 16, 64 and 256 points: in the upper row in regular rows and columns, blue, in the lower \
+          row random, gold. Below each square is the shadow of its points on the lower edge. Sixteen regular points \
+          fall together in four places, 64 in eight and 256 in sixteen. The shadows of random points all lie apart: \
           there are as many places as points.",
     knobs: &[POINTS],
     size: Size::of::<960, 690>(),

@@ -17,12 +17,12 @@ use super::palette::{RED, ramp};
 
 pub(super) const PICTURE: Picture = Picture {
     name: "tangent-frame",
-    alt: "Two globes of all unit normals, each combed with short strokes along the tangent, and colored by how fast the \
-          tangent turns from normal to normal, from dark violet for slowly to pale yellow for a hundred times as fast as \
-          the normal. Left, the cross product of the normal and the x axis: the strokes run around the place where the \
-          normal is the x axis, the colors glow toward it, and a red dot marks that there is no tangent at all. Right, \
-          the basis of Duff and others: dark all over but for a thin bright seam, along which the tangent jumps, and a \
-          tangent everywhere.",
+    alt: "Two globes of all unit normals, each combed with short strokes along the tangent, and colored by how fast \
+          the tangent turns from normal to normal, from dark violet for slowly to pale yellow for a hundred times \
+          as fast as the normal. Left, the cross product of the normal and the x axis: the strokes run around the \
+          place where the normal is the x axis, the colors glow toward it, and a red dot marks that there is no \
+          tangent at all. Right, the basis of Duff and others: dark all over but for a thin bright seam, along \
+          which the tangent jumps, and a tangent everywhere.",
     knobs: &[YAW, PITCH],
     size: Size::of::<960, 560>(),
     samples: 4,

@@ -32,12 +32,12 @@ const FACTOR: Knob =
 
 pub(super) const PICTURE: Picture = Picture {
     name: "uniform-against-cosine",
-    alt: "Six panels of the same still life under a morning sky: a gold and a silver ball, a red and a white matte ball, \
-          a blue egg and a small green ball on a pale floor. Upper row, uniform directions with 1, 10 and 100 samples per \
-          pixel: coarse noise that gets finer, and black balls where gold and silver should be. Lower row, \
-          cosine-distributed and mirror directions: much less noise at the same number of samples, and both metal \
-          balls are there, showing the sky and their neighbors without any noise of their own. Below each panel stands its \
-          variance, which falls to a tenth from panel to panel and is smaller in the lower row.",
+    alt: "Six panels of the same still life under a morning sky: a gold and a silver ball, a red and a white matte \
+          ball, a blue egg and a small green ball on a pale floor. Upper row, uniform directions with 1, 10 and 100 \
+          samples per pixel: coarse noise that gets finer, and black balls where gold and silver should be. Lower \
+          row, cosine-distributed and mirror directions: much less noise at the same number of samples, and both \
+          metal balls are there, showing the sky and their neighbors without any noise of their own. Below each \
+          panel stands its variance, which falls to a tenth from panel to panel and is smaller in the lower row.",
     knobs: &[FACTOR, ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 580>(),
     samples: 1,

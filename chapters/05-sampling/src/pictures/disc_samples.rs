@@ -151,7 +151,7 @@ fn plot(drawing: &mut Drawing, middle: Vec2) {
     let share = |i: u8| (f32::from(i) / 64.0) * (f32::from(i) / 64.0);
     for (map, color) in [(&MAPS[2], RED), (&MAPS[3], GREEN)] {
         // The radius of the share u of all points is that of the map: both are measured along the square's axis.
-        let points: Vec<Vec2> = (0..=64_u8).map(|i| share(i)).map(|u| at((map.to)(Vec2::new(u, 0.0)).x, u)).collect();
+        let points: Vec<Vec2> = (0..=64_u8).map(share).map(|u| at((map.to)(Vec2::new(u, 0.0)).x, u)).collect();
         drawing.line(&points, Pen::new(color, 2.8));
     }
     drawing.text("share of points", at(0.0, 1.0) - Vec2::Y * 18.0, letters);

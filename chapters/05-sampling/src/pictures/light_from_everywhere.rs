@@ -232,14 +232,30 @@ impl Integrator for Cover {
 mod tests {
     use super::*;
 
+    /// The page says that the point of the cover lies in the shade, and that the sum is warmer than the ambient term.
+    #[test]
+    fn the_point_of_the_cover_lies_in_the_shade() {
+        let cover = whitted_of(treasure::scene());
+        let point = Point::below(&cover, X.default(), Z.default());
+        let toward = cover.scene.lights[0].illuminate(point.origin).direction;
+        assert!(cover.scene.occluded(&Ray::new(point.origin, toward), Interval::POSITIVE));
+        let [ambient, sum] = point.swatches(&cover);
+        assert!(sum.x / sum.z > 2.0 * ambient.x / ambient.z, "{ambient} {sum}");
+        assert!(common::color::luminance(sum) < common::color::luminance(ambient), "{ambient} {sum}");
+    }
+
+    fn whitted_of(scene: ray_casting::scene::Scene<whitted::material::Material>) -> Whitted {
+        let camera = Camera::new(Vec3::Z, Vec3::ZERO, Vec3::Y, 30.0).unwrap();
+        let (limits, terms) = (Limits::DEFAULT, Terms::ALL);
+        Whitted { scene, camera, limits, terms, fresnel: Fresnel::Exact, offset: Offset::Following }
+    }
+
     /// On an empty terrace the map has the sky only; under a sky of one color the sum is that color times the albedo.
     #[test]
     fn the_mean_of_the_disc_is_what_is_reflected() {
-        let camera = Camera::new(Vec3::Z, Vec3::ZERO, Vec3::Y, 30.0).unwrap();
         let mut scene = ray_casting::scene::Scene::new();
         scene.surround(Rgb::new(0.5, 1.0, 2.0));
-        let (limits, terms) = (Limits::DEFAULT, Terms::ALL);
-        let whitted = Whitted { scene, camera, limits, terms, fresnel: Fresnel::Exact, offset: Offset::Following };
+        let whitted = whitted_of(scene);
         let point = Point { albedo: Rgb::splat(0.25), ..Point::below(&whitted, 0.0, 0.0) };
         assert!((point.swatches(&whitted)[1] - Rgb::new(0.125, 0.25, 0.5)).length() < 1e-5);
         assert_eq!(point.direction(Vec2::ZERO), Vec3::Y);

@@ -5,7 +5,12 @@
 
 use std::sync::Arc;
 
-use common::{Interval, Stream};
+use common::{
+    Interval, Stream,
+    film::Film,
+    picture::Settings,
+    renderer::{Plan, render},
+};
 use ray_casting::{aabb::Aabb, mesh::Mesh, ray::Ray};
 use space_partitioning::{
     choice::{Choice, Countable},
@@ -16,6 +21,8 @@ use space_partitioning::{
 };
 
 use crate::soups::{Aim, Soup, soups};
+
+const PLAN: Plan = Plan { samples: 1, seed: 0, threads: 0 };
 
 /// Whether the long run is wanted.
 pub(crate) fn is_long_run() -> bool {
@@ -125,4 +132,32 @@ fn all_structures_agree_on_larger_scenes() {
         assert!(wrong.is_empty(), "{}: {wrong:#?}", soup.name);
         assert!(hits > 0);
     }
+}
+
+/// Each pixel of a picture is the end of several rays: to the light, through leaves, off a wall. Not one may differ.
+#[test]
+fn every_structure_shows_the_same_picture() {
+    let chapter = space_partitioning::CHAPTER;
+    let scenes = chapter.pictures.iter().filter_map(|picture| {
+        let knob = |name| picture.knobs.iter().find(|knob| knob.name == name);
+        Some((picture, knob("structure")?, knob("triangles")?))
+    });
+    let mut count = 0;
+    for (picture, structure, triangles) in scenes {
+        let linear = |choice: Choice| {
+            let mut settings = Settings::default();
+            settings.values.set(triangles, 20_000.0);
+            settings.values.set(structure, choice as usize as f32);
+            let mut film = Film::new(picture.size.scaled_to(320));
+            render((picture.make)(&settings).unwrap().as_ref(), &mut film, &PLAN, &());
+            film.linear()
+        };
+        let expected = linear(Choice::KdTree);
+        for choice in [Choice::Grid, Choice::Octree] {
+            let differ = linear(choice).iter().zip(&expected).filter(|(a, b)| a != b).count();
+            assert_eq!(differ, 0, "pixels of '{}' differ between {} and kd-tree", picture.name, choice.name());
+        }
+        count += 1;
+    }
+    assert_eq!(count, space_partitioning::scenes::GENERATORS.len());
 }

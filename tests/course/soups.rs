@@ -57,6 +57,14 @@ pub(crate) fn soups(random: &mut Stream) -> Vec<Soup> {
             let (u, v) = (Vec3::AXES[(axis + 1) % 3], Vec3::AXES[(axis + 2) % 3]);
             [p, p + u * 0.25, p + v * 0.25].map(snapped)
         }),
+        // A wall and small things on it: the wall's corners are far from where it is hit.
+        soup("great and small in a raster", 200, random, |random, p| {
+            let axis = one_of(random, 3);
+            let (u, v) = (Vec3::AXES[(axis + 1) % 3], Vec3::AXES[(axis + 2) % 3]);
+            let side = if random.uniform() < 0.2 { 2.0 } else { 0.0625 };
+            let p = snapped(p);
+            [p - (u + v) * (side / 2.0), p + u * side, p + v * side]
+        }),
         soup("each one twice", 150, random, small),
         soup("all in one place", 60, random, |_, _| [Vec3::ZERO, Vec3::X, Vec3::Y]),
         soup("one corner in common", 150, random, |random, _| [Vec3::ZERO, in_cube(random), in_cube(random)]),
@@ -121,7 +129,7 @@ impl Aim<'_> {
         let near = center + in_cube(random) * 0.7 * size;
         let outside = center + direction(random) * 2.0 * size;
         let axis = Vec3::AXES[one_of(random, 3)] * if random.uniform() < 0.5 { -1.0 } else { 1.0 };
-        match i % 12 {
+        match i % 13 {
             0 => aimed(outside, near),
             1 => aimed(near, center + in_cube(random) * 0.5 * size),
             2 => aimed(outside, self.surface(random)),
@@ -142,7 +150,7 @@ impl Aim<'_> {
                 let mut ray = aimed(near, self.surface(random));
                 ray.origin[face] = cell.min[face];
                 ray.direction[face] = if random.uniform() < 0.5 { 0.0 } else { -0.0 };
-                if i % 12 == 8 {
+                if i % 13 == 8 {
                     let next = (face + 1) % 3;
                     ray.origin[next] = cell.max[next];
                     ray.direction[next] = 0.0;
@@ -154,6 +162,16 @@ impl Aim<'_> {
             9 => Ray::new(self.surface(random), direction(random)),
             // From far away.
             10 => aimed(center + direction(random) * size * magnitude(random, 10.0, 1e4), self.surface(random)),
+            // From a hair above or below a surface, as it is left by an offset, along the surface or away from it.
+            11 => {
+                let corners = self.mesh.triangle(one_of(random, self.mesh.len())).corners;
+                let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).try_normalize().unwrap_or(axis);
+                let flat = [0.0, 1e-3, 1.0][one_of(random, 3)];
+                let way =
+                    direction(random).reject_from_normalized(normal) + normal * (flat * between(random, -1.0, 1.0));
+                let aside = normal * (size * magnitude(random, 1e-8, 1e-5));
+                Ray::new(self.surface(random) + aside, way.try_normalize().unwrap_or(normal))
+            }
             // Nearly along an axis, not of unit length.
             _ => {
                 let tilt = in_cube(random) * magnitude(random, 1e-12, 1e-2);

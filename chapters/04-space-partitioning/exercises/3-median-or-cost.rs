@@ -21,6 +21,9 @@
 //! where `lower` and `upper` are the numbers of primitives in the two halves, and S, S_lower and S_upper the surfaces of the cell
 //! and of its halves. If the cell stays whole, all its `n` primitives are tested: `TEST · n`.
 //!
+//! The page on the surface area heuristic has shorter names: c_t is `TRAVERSAL` and c_i is `TEST`, n_1 is `lower` and n_2 is
+//! `upper`. Its bonus for an empty half does not exist here.
+//!
 //! ## Your task
 //!
 //! Fill in `cost` and `cheapest` below. You are given

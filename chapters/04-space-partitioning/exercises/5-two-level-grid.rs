@@ -13,13 +13,13 @@
 //! ```text
 //! enum Content<E> { List(Vec<E>), Grid(Grid<E>) }     // of a block; E is an entry
 //!
-//! blocks.along(ray, range) -> Vec<(usize, Interval)>  // the blocks that a ray meets, from front to back, by number,
-//!                                                     // each with the part of `range` in which the ray is inside
-//! Part::new(primitives, numbers, block)               // a part of some primitives: those of these numbers, and of them only
-//!                                                     // what lies inside of the block
-//! Grid::over(&part, DENSITY)                          // a grid over a part
+//! blocks.along(ray, range) -> Vec<(u32, Interval)>    // the blocks that a ray meets, from front to back: of each its number,
+//!                                                     // and `inside`, the part of `range` in which the ray is inside
+//! Part::new(primitives, &numbers, block)              // a part of some primitives: those of these numbers (`&[u32]`), and of
+//!                                                     // them only what lies inside of the block (`&Aabb`)
+//! Grid::over(&part, DENSITY)                          // a grid over a part: a `Result`
 //!
-//! primitives.clipped(number, &aabb)                   // the box around what lies in `aabb`; `None` if nothing does
+//! primitives.clipped(number, block)                   // the box around what lies in the block; `None` if nothing does
 //! primitives.entry(number)                            // what a list has of a primitive
 //!
 //! query.range()                                       // where hits count: it ends just behind the nearest one so far
@@ -35,13 +35,14 @@
 //! - Of them, those count of which some part lies in the block: where `clipped` returns a box.
 //! - If they are at most `FEW`, the content is a list of their entries, in the order of `numbers`.
 //! - If they are more, it is a grid over that part, with a density of `DENSITY`. When there is no such grid (an `Err`, for instance
-//!   because of too many primitives) the content is a list.
+//!   because some of them have no finite size) the content is a list of their entries all the same.
 //!
 //! `walk` lets a ray go through the blocks, from front to back:
 //!
-//! - Each block that is entered is told to `query.visit`, by its number, and before what it holds is tested.
+//! - Each block that is entered is told to `query.visit`, by its number, and before what it holds is tested. What it holds is
+//!   `contents[number as usize]`: an index is a `usize`, and numbers are `u32`.
 //! - A block that the ray enters only behind the end of `query.range()` is not entered, nor are those behind it. The range may have
-//!   become shorter since the last block. It is enough to compare with `min` of the block's part.
+//!   become shorter since the last block. It is enough to compare with `inside.min` of the block.
 //! - The search is over when `query.test` says so. A walk through a grid does not say so: it is over if any hit will do and there is one.
 //!
 //! Is the hit not to lie in the block, as it must in other tutorials? No. A triangle that reaches into several blocks may be hit in one

@@ -15,7 +15,7 @@ use crate::{
     primitives::Primitives,
     probe::Probe,
     query::{Query, Question},
-    rounding::{after, before, greater, lesser},
+    rounding::{greater, lesser},
     slabs::Slabs,
     structure::{Cell, Contents, Partition, Structure, StructureError},
     subtree::TreeNode as _,
@@ -121,11 +121,14 @@ impl<P: Primitives> Partition<P> for KdTree<P::Entry> {
     // ANCHOR: walk
     fn walk<Q: Question, N: Probe>(&self, ray: &Ray, query: &mut Query<'_, P, Q, N>) {
         let slabs = Slabs::of(ray);
-        let Some(mut inside) = self.aabb.and_then(|aabb| slabs.cross(&aabb, query.range())) else { return };
+        let Some(aabb) = &self.aabb else { return };
+        let Some(mut inside) = slabs.cross(aabb, query.range()) else { return };
+        let hair = slabs.hair(aabb);
         // Seen along the ray, the lower half of a cell comes second where the ray runs downward.
         // Four of each, so that two bits always are a valid index.
         let [origin, inverse] = [slabs.origin, slabs.inverse].map(|v| [v.x, v.y, v.z, 0.0]);
         let downward = inverse.map(|inverse| u32::from(inverse < 0.0));
+        let hairs = inverse.map(|inverse| hair.copysign(inverse));
         let mut stack = [Waiting { node: 0, inside }; MAX_DEPTH];
         let mut waiting = 0;
         let mut number = 0;
@@ -134,22 +137,24 @@ impl<P: Primitives> Partition<P> for KdTree<P::Entry> {
             let node = self.nodes.node(number);
             if !node.is_leaf() {
                 let axis = node.axis();
-                let t = (node.position() - origin[axis]) * inverse[axis];
+                // Between which t it meets the plane: as `Slabs::meets`.
+                let distance = node.position() - origin[axis];
+                let earliest = (distance - hairs[axis]) * inverse[axis];
+                let latest = (distance + hairs[axis]) * inverse[axis];
                 let near = node.number() + downward[axis];
                 let far = node.number() + (downward[axis] ^ 1);
-                if t > inside.max {
+                if earliest > inside.max {
                     // The ray leaves the cell before it comes to the plane.
                     number = near;
-                } else if t < inside.min {
+                } else if latest < inside.min {
                     // It enters the cell behind the plane.
                     number = far;
                 } else {
-                    // It meets both halves: the nearer one first, the other one waits. A ray inside of the plane has no
-                    // t there, and meets both all the way.
-                    let farther = Interval::new(greater(before(t), inside.min), inside.max);
+                    // It meets both halves: the nearer one first, the other one waits.
+                    let farther = Interval::new(greater(earliest, inside.min), inside.max);
                     stack[waiting] = Waiting { node: far, inside: farther };
                     waiting += 1;
-                    inside.max = lesser(after(t), inside.max);
+                    inside.max = lesser(latest, inside.max);
                     number = near;
                 }
                 continue;

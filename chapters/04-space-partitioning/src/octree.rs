@@ -12,7 +12,7 @@ use crate::{
     primitives::{Primitives, octant},
     probe::Probe,
     query::{Query, Question},
-    rounding::{after, before, greater, lesser},
+    rounding::{greater, lesser},
     slabs::Slabs,
     structure::{Cell, Contents, Partition, Structure, StructureError},
 };
@@ -87,6 +87,8 @@ fn cube(aabb: &Aabb) -> Aabb {
 struct Walker<'w, E> {
     octree: &'w Octree<E>,
     slabs: Slabs,
+    /// How far beside its place the ray may see something.
+    hair: f32,
     /// Number of the part that a ray of this direction comes to first.
     first: usize,
 }
@@ -108,9 +110,9 @@ impl<E: Copy + Send + Sync> Walker<'_, E> {
         }
         // Along each axis the ray is in the half that it comes to first until it meets the plane in the middle.
         let middle = cell.center();
-        let meets = [0, 1, 2].map(|axis| self.slabs.plane(axis, middle[axis]));
-        let first_half = meets.map(|t| lesser(after(t), inside.max));
-        let second_half = meets.map(|t| greater(before(t), inside.min));
+        let meets = [0, 1, 2].map(|axis| self.slabs.meets(axis, middle[axis], self.hair));
+        let first_half = meets.map(|[_, latest]| lesser(latest, inside.max));
+        let second_half = meets.map(|[earliest, _]| greater(earliest, inside.min));
         for order in 0..8 {
             // Bit by bit: 0 for the half that comes first, 1 for the other. So no part comes before one that hides it.
             let mut part = inside;
@@ -141,7 +143,7 @@ impl<P: Primitives> Partition<P> for Octree<P::Entry> {
         let Some(aabb) = &self.aabb else { return };
         let Some(inside) = slabs.cross(aabb, query.range()) else { return };
         let first = (0..3).filter(|&axis| slabs.inverse[axis] < 0.0).map(|axis| 1 << axis).sum();
-        Walker { octree: self, slabs, first }.visit(0, aabb, inside, query);
+        Walker { octree: self, slabs, hair: slabs.hair(aabb), first }.visit(0, aabb, inside, query);
     }
 
     fn aabb(&self) -> Option<Aabb> {

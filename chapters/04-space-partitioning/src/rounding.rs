@@ -1,19 +1,18 @@
 //! Rounding: how much room a walk must leave, so that it never misses what the loop over all objects would hit.
 
 // ANCHOR: slack
-/// How much earlier than computed a ray may enter a cell, and how much later it may leave, as a share of `t`.
+/// How far beside its place a ray may see a thing, as a share of the thing's distance.
 ///
-/// The `t` of a plane, `(plane − origin) / direction`, is off by at most three roundings of half an ε each. The test of a
-/// triangle sees each corner off by about as much, measured along the ray. Both errors grow with the distance, as this
-/// share of it does; 16 ε is several times their sum.
+/// The test of a triangle sees each corner moved: a difference, a product and another difference are rounded, each by
+/// half an ε of the corner's distance from where the ray starts. The `t` of a plane, `(plane − origin) / direction`, has
+/// errors of the same kind. 8 ε is a few times the sum of all.
 ///
-/// Two things lie beyond that. A ray that starts on a triangle may hit it by rounding alone, so near that `t` means
-/// nothing: who starts a ray from a surface keeps clear of it, as chapter 2 does. And where products of coordinates come
-/// near the smallest numbers of `f32`, digits are lost: coordinates should be zero, or greater than about 10⁻¹⁸.
-pub const SLACK: f32 = 16.0 * f32::EPSILON;
+/// Where products of coordinates come near the smallest numbers of `f32`, digits are lost, and no share is large enough:
+/// coordinates should be zero, or greater than about 10⁻¹⁸.
+pub const SLACK: f32 = 8.0 * f32::EPSILON;
 // ANCHOR_END: slack
 
-/// A little before `t`.
+/// A little before `t`, as a share of it.
 #[inline]
 #[must_use]
 pub fn before(t: f32) -> f32 {
@@ -21,7 +20,7 @@ pub fn before(t: f32) -> f32 {
     t * (1.0 - SLACK.copysign(t))
 }
 
-/// A little after `t`.
+/// A little after `t`, as a share of it.
 #[inline]
 #[must_use]
 pub fn after(t: f32) -> f32 {

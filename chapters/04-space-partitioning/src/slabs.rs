@@ -5,7 +5,7 @@
 use common::{Interval, Vec3};
 use ray_casting::{aabb::Aabb, ray::Ray};
 
-use crate::rounding::{after, before, greater, lesser};
+use crate::rounding::{SLACK, greater, lesser};
 
 // ANCHOR: slabs
 /// A ray, ready to meet planes at right angles to the axes: nothing has to be divided any more.
@@ -35,22 +35,46 @@ impl Slabs {
 }
 // ANCHOR_END: slabs
 
+// ANCHOR: hair
+impl Slabs {
+    /// How far beside its place the ray may see a thing in a box: more than all roundings together.
+    #[inline]
+    #[must_use]
+    pub fn hair(&self, aabb: &Aabb) -> f32 {
+        let farthest = (aabb.min - self.origin).abs().max((aabb.max - self.origin).abs());
+        farthest.max_element() * SLACK
+    }
+
+    /// The ray parameters at which the ray meets the plane `axis = position` at the earliest and at the latest, if the
+    /// plane is as thick as two hairs. A ray that stays inside of it meets it from −∞ to ∞.
+    #[inline]
+    #[must_use]
+    pub fn meets(&self, axis: usize, position: f32, hair: f32) -> [f32; 2] {
+        let distance = position - self.origin[axis];
+        let hair = hair.copysign(self.inverse[axis]);
+        [(distance - hair) * self.inverse[axis], (distance + hair) * self.inverse[axis]]
+    }
+}
+// ANCHOR_END: hair
+
 // ANCHOR: cross
 impl Slabs {
     /// The part of `range` in which the ray is inside the box; `None` if it misses the box.
     ///
-    /// The faces belong to the box. A ray inside of a face and a box without thickness are hit.
+    /// The faces belong to the box, and a hair around it. A ray inside of a face and a box without thickness are hit.
     #[inline]
     #[must_use]
     pub fn cross(&self, aabb: &Aabb, range: Interval) -> Option<Interval> {
+        let hair = self.hair(aabb);
         let Interval { min: mut enter, max: mut leave } = range;
         for axis in 0..3 {
             // The ray enters the slab through the face that it comes to first.
-            let (low, high) = (self.plane(axis, aabb.min[axis]), self.plane(axis, aabb.max[axis]));
+            let (low, high) = (aabb.min[axis], aabb.max[axis]);
             let (first, last) = if self.inverse[axis] < 0.0 { (high, low) } else { (low, high) };
-            // A ray inside of a face meets it at 0 · ∞, which is no number and does not count.
-            enter = greater(before(first), enter);
-            leave = lesser(after(last), leave);
+            let ([earliest, _], [_, latest]) = (self.meets(axis, first, hair), self.meets(axis, last, hair));
+            // 0 · ∞ is no number and does not count.
+            enter = greater(earliest, enter);
+            leave = lesser(latest, leave);
         }
         (enter <= leave).then_some(Interval::new(enter, leave))
     }

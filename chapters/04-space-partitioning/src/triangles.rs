@@ -69,7 +69,9 @@ impl Primitives for Triangles {
     fn hit(&self, number: u32, ray: &Ray, t: f32) -> Option<Hit> {
         let triangle = self.0.triangle(number as usize);
         let hit = triangle.hit_by_barycentric(&Shear::along(ray), Interval::new(t.next_down(), t.next_up()))?;
-        Some(self.0.hit(ray, number as usize, &triangle, &hit))
+        // A ray that leaves from here may be tested against any of the triangles: its offset follows all coordinates.
+        let Aabb { min, max } = self.0.bounds();
+        Some(self.0.hit(ray, number as usize, &triangle, &hit).among(min).among(max))
     }
 }
 // ANCHOR_END: triangles

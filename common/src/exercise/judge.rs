@@ -14,20 +14,20 @@ use super::{
     Diagnosis, Finding, Verdict,
     panic::diagnosis,
     paragraph,
-    trial::{self, Follower, Place},
+    trial::{self, Follower, Place, Telling},
 };
 
 /// How long an answer may take before it counts as an endless loop. Every check takes less than a second.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// The verdict of a check; a panic in the answer or an endless loop is a diagnosis too.
-pub(super) fn judge(check: fn() -> Verdict) -> Verdict {
+pub(super) fn judge(check: fn() -> Verdict, telling: Telling) -> Verdict {
     let (panicked, panics) = mpsc::channel();
     panic::set_hook(Box::new(move |panic| {
         // Nobody listens any more only after the verdict is known.
         let _ = panicked.send(place_and_words(panic));
     }));
-    let verdict = verdict_within(PATIENCE, check, panics);
+    let verdict = verdict_within(PATIENCE, check, panics, telling);
     drop(panic::take_hook());
     verdict
 }
@@ -44,9 +44,9 @@ fn place_and_words(panic: &PanicHookInfo<'_>) -> Panic {
 }
 
 /// The verdict of a check that may take so long.
-fn verdict_within(patience: Duration, check: fn() -> Verdict, panics: Receiver<Panic>) -> Verdict {
+fn verdict_within(patience: Duration, check: fn() -> Verdict, panics: Receiver<Panic>, telling: Telling) -> Verdict {
     let place = Arc::<Place>::default();
-    let follower = Follower { place: place.clone(), telling: None };
+    let follower = Follower { place: place.clone(), telling };
     let (teller, verdicts) = mpsc::channel();
     thread::spawn(move || {
         follower.follow();
@@ -79,7 +79,7 @@ fn tried_in(check: fn() -> Verdict, number: u64, patience: Duration) -> Option<S
     }
     let (teller, told) = mpsc::channel();
     thread::spawn(move || {
-        Follower { place: Arc::default(), telling: Some((number, teller)) }.follow();
+        Follower { place: Arc::default(), telling: Telling::One(number, teller) }.follow();
         check()
     });
     told.recv_timeout(patience).ok()
@@ -90,8 +90,9 @@ fn endless(patience: Duration, tried: Option<String>) -> Diagnosis {
     const NAME: &str = "endless";
     let got = format!("no answer after {} seconds", patience.as_secs());
     let advice = "Is there a loop that never ends? It may end for ordinary input and not for this one, for instance when the \
-                  input is very great, zero or negative. To find out, print with `eprintln!` in the loop what should come to \
-                  an end: the last lines that were printed are shown.";
+                  input is very great, zero or negative. Or is it only slow, with many more steps than it must take? To find \
+                  out, print with `eprintln!` in the loop what should come to an end: the last lines that were printed are \
+                  shown.";
     match tried {
         Some(tried) => {
             let expected = "an answer at once".into();
@@ -121,7 +122,7 @@ mod tests {
 
     /// The diagnosis of a check that gets less patience than usual.
     fn diagnosed(check: fn() -> Verdict) -> Diagnosis {
-        verdict_within(Duration::from_millis(400), check, mpsc::channel().1).unwrap_err()
+        verdict_within(Duration::from_millis(400), check, mpsc::channel().1, Telling::Nothing).unwrap_err()
     }
 
     fn sleep() {

@@ -2,7 +2,7 @@
 
 use std::{ffi::OsString, process::ExitCode};
 
-use super::{Diagnosis, Verdict, judge::judge};
+use super::{Diagnosis, Verdict, judge::judge, paragraph, trial::Telling};
 use crate::{cli, output, picture::Chapter};
 
 /// All that the `main` of an exercise does: check the answer, then render the picture of `chapter`, whose name begins
@@ -11,6 +11,10 @@ use crate::{cli, output, picture::Chapter};
 /// With the argument `--check` it only checks. The answer may print what it likes; after that there is a line
 /// `verdict: accepted`, or `verdict: ` and the name of the diagnosis, then the message, and a line `verdict ends`. On
 /// standard error a line `check begins` parts what the answer writes from what the compiler has written.
+///
+/// With `--check --tell` it also says on standard error what it tries, before it does so: a line `trial begins`, what is
+/// tried, and a line `trial ends`. So it is known what a crash comes from. That takes time, and is done only when it is
+/// needed.
 ///
 /// Whoever names the picture sees it whatever the check says.
 ///
@@ -25,7 +29,7 @@ pub fn main(check: fn() -> Verdict, chapter: &Chapter) -> ExitCode {
     if is_check(&arguments) {
         cli::say("check begins");
     }
-    match judge(check) {
+    match judge(check, if is_telling(&arguments) { Telling::Each(tell) } else { Telling::Nothing }) {
         // What the answer has printed may lack the end of its last line.
         Ok(()) if is_check(&arguments) => print("\nverdict: accepted\nverdict ends\n", ExitCode::SUCCESS),
         Ok(()) => cli::run(chapter),
@@ -45,7 +49,16 @@ pub fn main(check: fn() -> Verdict, chapter: &Chapter) -> ExitCode {
 }
 
 fn is_check(arguments: &[OsString]) -> bool {
-    matches!(arguments, [only] if only.as_os_str() == "--check")
+    matches!(arguments, [only] if only.as_os_str() == "--check") || is_telling(arguments)
+}
+
+fn is_telling(arguments: &[OsString]) -> bool {
+    matches!(arguments, [check, tell] if check.as_os_str() == "--check" && tell.as_os_str() == "--tell")
+}
+
+/// Say what is tried next. What the answer has written may lack the end of its last line.
+fn tell(tried: &str) {
+    cli::say(&format!("\ntrial begins\n{}\ntrial ends", paragraph("Tried:    ", tried)));
 }
 
 /// What to say when the answer is not accepted.

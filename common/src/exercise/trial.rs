@@ -79,8 +79,18 @@ impl Place {
 pub(super) struct Follower {
     /// Where the thread is.
     pub(super) place: Arc<Place>,
-    /// The trial of that number is told in words before it begins.
-    pub(super) telling: Option<(u64, Sender<String>)>,
+    /// Which trials are put into words before they begin.
+    pub(super) telling: Telling,
+}
+
+/// Which trials are put into words, and for whom.
+pub(super) enum Telling {
+    /// None of them: it takes time.
+    Nothing,
+    /// The one of that number, for another thread.
+    One(u64, Sender<String>),
+    /// Each of them.
+    Each(fn(&str)),
 }
 
 impl Follower {
@@ -94,11 +104,13 @@ impl Follower {
         let number = self.place.begun.fetch_add(1, Ordering::Relaxed) + 1;
         let outer = self.place.now();
         self.place.set(number);
-        if let Some((told, teller)) = &self.telling
-            && *told == number
-        {
-            // Nobody listens any more only after the verdict is known.
-            let _ = teller.send(what());
+        match &self.telling {
+            Telling::One(told, teller) if *told == number => {
+                // Nobody listens any more only after the verdict is known.
+                let _ = teller.send(what());
+            }
+            Telling::Each(tell) => tell(&what()),
+            Telling::Nothing | Telling::One(..) => {}
         }
         outer
     }
@@ -121,7 +133,7 @@ mod tests {
     fn a_follower_knows_the_trial_and_hears_of_the_one_it_wants() {
         let place = Arc::<Place>::default();
         let (teller, told) = mpsc::channel();
-        Follower { place: place.clone(), telling: Some((3, teller)) }.follow();
+        Follower { place: place.clone(), telling: Telling::One(3, teller) }.follow();
         trying(
             || unreachable!(),
             || {
@@ -132,5 +144,18 @@ mod tests {
         );
         assert_eq!((place.begun(), place.now()), (3, Place::NOWHERE));
         assert_eq!(told.try_iter().collect::<Vec<_>>(), ["a ray"]);
+    }
+
+    #[test]
+    fn a_follower_hears_of_each_trial_before_it_begins() {
+        thread_local! {
+            static TOLD: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
+        }
+        let tell = |words: &str| TOLD.with_borrow_mut(|told| told.push(words.into()));
+        Follower { place: Arc::default(), telling: Telling::Each(tell) }.follow();
+        for ray in ["a ray", "another one"] {
+            trying(|| ray.into(), || assert_eq!(TOLD.with_borrow(|told| told.last().cloned()).as_deref(), Some(ray)));
+        }
+        assert_eq!(TOLD.take(), ["a ray", "another one"]);
     }
 }

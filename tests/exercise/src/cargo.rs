@@ -10,6 +10,9 @@ use std::{
 
 use crate::{Failure, crash::Ending, exercise::Exercise, progress, said::Said, terminal};
 
+/// Name of the diagnosis for a program that ends before there is a verdict.
+const CRASHED: &str = "crashed";
+
 /// How far an answer is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum State {
@@ -78,7 +81,7 @@ impl Outcome {
             [(printed, stdout.before), (written, stderr.before)].map(|(end, before)| Said { end: end.into(), before });
         Self {
             state: state.unwrap_or_else(|| State::NotRight {
-                name: "crashed".into(),
+                name: CRASHED.into(),
                 message: Ending { code, words, written: &written.end }.cause(),
             }),
             printed: printed.last_lines("Your program printed")
@@ -106,7 +109,7 @@ pub(crate) fn build(root: &Path, package: &str, examples: &[String], messages: M
     }
     if progress::is_new(root) {
         // All libraries are built too, which takes a while: let cargo show that something happens.
-        terminal::note("The first time, everything must be built. This takes a minute or two.");
+        terminal::note("The first time, everything must be built. This takes some minutes.");
         progress::begin(root)?;
     } else {
         command.arg("--quiet");
@@ -128,7 +131,25 @@ pub(crate) fn try_out(root: &Path, exercise: &Exercise, example: &str, messages:
         return Ok(Outcome { state: State::DoesNotCompile, printed: String::new(), lines: 0 });
     }
     let Run { stdout, stderr, status } = run(root, exercise, example, &["--check"])?;
-    Ok(Outcome::told(stdout, stderr, status.code(), &status.to_string()))
+    let words = status.to_string();
+    let mut outcome = Outcome::told(stdout, stderr, status.code(), &words);
+    if let State::NotRight { name, message } = &mut outcome.state
+        && name == CRASHED
+        && !words.contains("SIGKILL")
+    {
+        // A check asks the same in every run. Once more, and this time it says what it asks.
+        let again = run(root, exercise, example, &["--check", "--tell"])?;
+        if let Some(tried) = last_trial(&again.stderr.end) {
+            *message = format!("{tried}\n\n{message}");
+        }
+    }
+    Ok(outcome)
+}
+
+/// What a program has tried last that was run with `--tell`.
+fn last_trial(stderr: &str) -> Option<&str> {
+    let (_, tried) = stderr.rsplit_once("\ntrial begins\n")?;
+    Some(tried.split_once("\ntrial ends\n")?.0)
 }
 
 /// What a program has said, and how it ended.
@@ -202,11 +223,20 @@ mod tests {
     }
 
     #[test]
+    fn the_last_trial_is_read() {
+        let one = "\ntrial begins\nTried:    a ray\ntrial ends\nt = 1";
+        let stderr =
+            format!("check begins\n{one}{}\nit has overflowed its stack\n", one.replace("ray", "box\n of two lines"));
+        assert_eq!(last_trial(&stderr), Some("Tried:    a box\n of two lines"));
+        assert_eq!(last_trial("check begins\n"), None);
+    }
+
+    #[test]
     fn no_verdict_is_a_crash() {
         for (stdout, stderr) in [("", ""), ("something else\n", "check begins\nan error\n")] {
             let (state, printed) = told(stdout, stderr);
             let State::NotRight { name, message } = state else { panic!("{state:?}") };
-            assert!(name == "crashed" && message.contains("exit status: 1"), "{message}");
+            assert!(name == CRASHED && message.contains("exit status: 1"), "{message}");
             assert_eq!(printed.contains("  an error\n"), !stderr.is_empty());
         }
     }

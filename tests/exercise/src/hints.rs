@@ -19,7 +19,13 @@ pub(crate) fn staged(text: &str) -> Vec<String> {
             hint.push('\n');
         }
     }
-    hints.into_iter().map(|hint| hint.trim().to_owned()).collect()
+    hints.iter().map(|hint| without_blank_ends(hint)).collect()
+}
+
+/// A text without blank lines before and after it. The first line keeps its indent: it may be code.
+fn without_blank_ends(text: &str) -> String {
+    let lines: Vec<_> = text.trim_end().lines().skip_while(|line| line.trim().is_empty()).collect();
+    lines.join("\n")
 }
 
 /// Open the next hint: its text; when all are open, that of all of them.
@@ -64,7 +70,7 @@ mod tests {
     fn hints_are_parted_by_lines_of_three_dashes() {
         assert_eq!(
             staged("One.\n\nStill --- one.\n---\n\nTwo.\n--- \n  Three.\n"),
-            ["One.\n\nStill --- one.", "Two.", "Three."]
+            ["One.\n\nStill --- one.", "Two.", "  Three."]
         );
         assert_eq!(staged("One.\r\n---\r\nTwo.\r\n"), ["One.", "Two."]);
         assert_eq!(staged("---\n"), ["", ""]);

@@ -7,6 +7,7 @@ use crate::{
     cargo::{Messages, State, build, check},
     exercise::Exercise,
     progress::Progress,
+    reset::is_untouched,
 };
 
 /// Check all exercises: the list of them.
@@ -20,14 +21,19 @@ pub(crate) fn show(root: &Path, exercises: &[Exercise]) -> Result<String, Failur
     Ok(text(exercises, &states))
 }
 
-/// The state of each.
+/// The state of each. What nobody has touched is not built, so that the first list comes at once.
 fn states(root: &Path, exercises: &[Exercise]) -> Result<Vec<State>, Failure> {
+    let touched: Vec<_> = exercises.iter().filter(|exercise| !is_untouched(root, exercise)).collect();
     // Build what belongs together at once: on many cores that is faster.
-    for chapter in exercises.chunk_by(|a, b| a.package == b.package) {
-        let examples: Vec<_> = chapter.iter().map(Exercise::example).collect();
+    for chapter in touched.chunk_by(|a, b| a.package == b.package) {
+        let examples: Vec<_> = chapter.iter().map(|exercise| exercise.example()).collect();
         build(root, &chapter[0].package, &examples, Messages::Hidden)?;
     }
-    exercises.iter().map(|exercise| check(root, exercise, &exercise.example(), Messages::Hidden)).collect()
+    let state = |exercise| match touched.contains(&exercise) {
+        true => check(root, exercise, &exercise.example(), Messages::Hidden),
+        false => Ok(State::NotStarted(String::new())),
+    };
+    exercises.iter().map(state).collect()
 }
 
 /// The list, and what to do next.
@@ -57,6 +63,20 @@ fn text(exercises: &[Exercise], states: &[State]) -> String {
 mod tests {
     use super::*;
     use crate::discovery::{all, tests::workspace};
+
+    #[test]
+    fn what_nobody_has_touched_is_listed_without_building() {
+        let stub = "//! # Exercise 1.2: a cube\nnone\n";
+        let solution = "//! # Exercise 1.2: a cube\n// STUB: none\nsome\n// END STUB\n";
+        let folder = workspace(&[
+            ("chapters/01-toy/exercises/2-cube.rs", stub),
+            ("chapters/01-toy/solutions/2-cube.rs", solution),
+        ]);
+        // There is no package here that could be built.
+        let states = states(folder.path(), &all(folder.path()).unwrap()).unwrap();
+        assert_eq!(states, [State::NotStarted(String::new())]);
+        assert!(!folder.path().join("target").exists());
+    }
 
     #[test]
     fn what_was_begun_comes_next() {

@@ -38,11 +38,22 @@ enum Reset {
     Kept(PathBuf),
 }
 
+/// Whether the stub is as it was delivered. Its lines count: another tool may have changed how they end.
+pub(crate) fn is_untouched(root: &Path, exercise: &Exercise) -> bool {
+    let (written, delivered) = (read(root, &exercise.stub()), delivered(root, exercise));
+    written.is_ok_and(|written| delivered.is_ok_and(|delivered| written.lines().eq(delivered.lines())))
+}
+
+/// The text of the stub, made of the solution.
+fn delivered(root: &Path, exercise: &Exercise) -> Result<String, Failure> {
+    let solution = exercise.solution();
+    stub_of(&read(root, &solution)?)
+        .map_err(|what| Failure::system(format!("{} is damaged: {what}", solution.display())))
+}
+
 /// Put the stub back.
 fn reset(root: &Path, exercise: &Exercise) -> Result<Reset, Failure> {
-    let solution = exercise.solution();
-    let delivered = stub_of(&read(root, &solution)?)
-        .map_err(|what| Failure::system(format!("{} is damaged: {what}", solution.display())))?;
+    let delivered = delivered(root, exercise)?;
     let stub = exercise.stub();
     // Whatever bytes there are, also if they are no text. There may be no file at all.
     let kept = match fs::read(root.join(&stub)) {
@@ -118,6 +129,19 @@ mod tests {
         assert_eq!(fs::read(root.join("chapters/01-toy/exercises/kept/2-cube.1.rs")).unwrap(), b"first");
         // A kept version is no exercise.
         assert_eq!(all(root).unwrap().len(), 1);
+    }
+
+    #[test]
+    fn a_stub_is_untouched_until_a_line_is_changed() {
+        let (folder, cube) = toy();
+        let root = folder.path();
+        assert!(is_untouched(root, &cube));
+        fs::write(root.join(cube.stub()), STUB.replace('\n', "\r\n")).unwrap();
+        assert!(is_untouched(root, &cube));
+        fs::write(root.join(cube.stub()), STUB.replace("none", "mine")).unwrap();
+        assert!(!is_untouched(root, &cube));
+        fs::remove_file(root.join(cube.stub())).unwrap();
+        assert!(!is_untouched(root, &cube));
     }
 
     #[test]

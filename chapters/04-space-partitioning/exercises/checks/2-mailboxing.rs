@@ -220,7 +220,8 @@ fn alone<M: Primitives<Entry = Entry>>(make: &impl Fn(Logged) -> M, triangles: &
 
 const OLD_NOTES: (&str, &str) = (
     "old-notes",
-    "A note is left from a ray before. Notes belong to one ray, and the next one begins without any: let them lie in its view.",
+    "A note is left from a ray before, or the table of notes starts with 0, which is the number of a primitive. Notes belong to one \
+     ray, and the next one begins without any: let them lie in its view, and let an empty place hold no number, as `None` does.",
 );
 
 const HIT_OR_MISS: &str =

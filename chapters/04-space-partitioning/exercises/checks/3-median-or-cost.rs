@@ -1,5 +1,10 @@
 //! Checks exercise 4.3, median or cost.
 
+use std::{
+    hint::black_box,
+    time::{Duration, Instant},
+};
+
 use common::{
     Interval, Vec3,
     exercise::{Diagnosis, Finding, Verdict, dice::Dice, trying},
@@ -62,6 +67,7 @@ pub(crate) fn check(
     }
     costs(&cost)?;
     planes(&cheapest)?;
+    pace(&cheapest)?;
     many(&cheapest)?;
     tree(&cheapest)
 }
@@ -382,18 +388,64 @@ fn count_mistake(spans: &[Span], plane: &Plane) -> (&'static str, &'static str) 
     }
 }
 
+/// A cell, and so many spans in it along axis 1.
+fn crowd(count: u32) -> (Aabb, Vec<Span>) {
+    let spans = (0..count).map(|i| {
+        // From place to place by the golden ratio; denser toward the lower end.
+        let share = (f64::from(i) * 0.618_033_988_749_895).fract();
+        #[expect(clippy::cast_possible_truncation, reason = "any place will do")]
+        let begin = (9.0 * share * share) as f32;
+        Span { begin, end: begin + 0.01 }
+    });
+    (Aabb { min: Vec3::ZERO, max: Vec3::new(1.0, 10.0, 1.0) }, spans.collect())
+}
+
+/// How long something takes: the least of so many times, so that it does not count what else the machine does.
+fn time<T>(times: usize, act: impl Fn() -> T) -> Duration {
+    let once = |_| {
+        let begin = Instant::now();
+        black_box(act());
+        begin.elapsed()
+    };
+    (0..times).map(once).min().unwrap_or_default()
+}
+
+/// Whether it is fast enough for very many spans, by its time for not so many.
+///
+/// It is compared with sorting them, on the same machine at the same time. With so many spans a right answer takes a few
+/// times as long, one that loops over all of them for every plane five hundred times or more.
+fn pace(cheapest: Cheapest<'_>) -> Verdict {
+    const MOST: f64 = 100.0;
+    let (cell, spans) = crowd(10_000);
+    let sorted = || {
+        let mut places: Vec<f32> = spans.iter().flat_map(|span| [span.begin, span.end]).collect();
+        places.sort_by(f32::total_cmp);
+        places
+    };
+    let sorting = time(5, sorted).as_secs_f64();
+    let mut ratio = f64::INFINITY;
+    // One slow time may be chance.
+    for _ in 0..3 {
+        ratio = ratio.min(time(1, || chosen(cheapest, &cell, 1, &spans)).as_secs_f64() / sorting);
+        if ratio <= MOST {
+            return Ok(());
+        }
+    }
+    let advice = "Is there a loop over all spans inside of another one? For twice as many spans it takes four times as long. Sort the begins \
+                  and the ends once, before the loop over the planes; then no plane needs a loop of its own. (Or is there a print left \
+                  over? Thousands of lines take long.)";
+    Err(Finding {
+        tried: tried(&cell, 1, &spans),
+        got: format!("an answer that takes {ratio:.0} times as long as to sort all begins and ends"),
+        expected: format!("a few times as long, and at most {MOST} times"),
+        advice: advice.into(),
+    }
+    .named("too-slow"))
+}
+
 /// As many spans as in a real scene.
 fn many(cheapest: Cheapest<'_>) -> Verdict {
-    let cell = Aabb { min: Vec3::ZERO, max: Vec3::new(1.0, 10.0, 1.0) };
-    let spans: Vec<_> = (0..400_000_u32)
-        .map(|i| {
-            // From place to place by the golden ratio; denser toward the lower end.
-            let share = (f64::from(i) * 0.618_033_988_749_895).fract();
-            #[expect(clippy::cast_possible_truncation, reason = "any place will do")]
-            let begin = (9.0 * share * share) as f32;
-            Span { begin, end: begin + 0.01 }
-        })
-        .collect();
+    let (cell, spans) = crowd(400_000);
     let told =
         || format!("{}; so many that a loop over all of them for every plane takes minutes", tried(&cell, 1, &spans));
     let got = trying(told, || cheapest(&cell, 1, &spans));

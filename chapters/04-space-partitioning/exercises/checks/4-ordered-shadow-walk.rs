@@ -154,7 +154,8 @@ impl<'c> Case<'c> {
 }
 
 fn tried(nodes: &[Node], ray: &Ray, range: Interval) -> String {
-    format!("{}, {}, in a tree of {} nodes", words::ray(ray), words::range(range), nodes.len())
+    let nodes = words::counted(nodes.len(), "node");
+    format!("{}, {}, in a tree of {nodes}", words::ray(ray), words::range(range))
 }
 
 /// What is in a box that is missed is not tested: seen from rays that hit nothing, which test all the rest.

@@ -13,13 +13,14 @@ use space_partitioning::{
     primitives::{Primitives, overlap},
     probe::{Probe, Walk},
     query::{Any, Found, Nearest, Query, Question},
+    scenes::builder::Builder,
     structure::{Partition, Structure},
     triangles::Triangles,
 };
 
 use super::{
     blocks::{Blocks, Content, Filled, Part, TwoLevel, filled},
-    meshes::{in_stadium, soup, stadium, through_soup},
+    meshes::{in_stadium, soup, stadium, through_soup, triangles},
     words,
 };
 
@@ -54,6 +55,7 @@ pub(crate) fn check<T: TwoLevel>() -> Verdict {
     for count in [0, 1, 10, FEW - 1, FEW, FEW + 1, 100] {
         block::<T>(&triangles, &backward[..count], &everywhere)?;
     }
+    block_without_grid::<T>()?;
     // Walks, at last through blocks of which only the one around the teapot has a grid.
     for count in [1, 3, 8] {
         walks::<T>(&triangles, count, &rays)?;
@@ -63,8 +65,13 @@ pub(crate) fn check<T: TwoLevel>() -> Verdict {
 }
 
 fn block_words(numbers: &[u32], block: &Aabb) -> String {
+    const MANY_DIGITS: f32 = 1e9;
+    let triangles = words::counted(numbers.len(), "triangle");
+    if block.max.x > MANY_DIGITS {
+        return format!("the block from {:e} to {:e} along each axis, and {triangles}", block.min.x, block.max.x);
+    }
     let (min, max) = (words::triple(block.min), words::triple(block.max));
-    format!("the block from {min} to {max}, and {} triangles", numbers.len())
+    format!("the block from {min} to {max}, and {triangles}")
 }
 
 fn content<T: TwoLevel>(triangles: &Triangles, numbers: &[u32], block: &Aabb) -> Content<Entry> {
@@ -87,7 +94,9 @@ fn block<T: TwoLevel>(triangles: &Triangles, numbers: &[u32], block: &Aabb) -> V
         Err(Finding { tried: block_words(numbers, block), got, expected: wanted, advice: advice.into() }.named(name))
     };
     let kind = if expected.len() > FEW { "a grid over" } else { "a list of" };
-    let wanted = format!("{kind} {} primitives: {}", expected.len(), words::numbers(&expected));
+    let list_words =
+        |numbers: &[u32]| format!("{}: {}", words::counted(numbers.len(), "primitive"), words::numbers(numbers));
+    let wanted = format!("{kind} {}", list_words(&expected));
     let (grid, got) = match &content {
         Content::List(list) => (None, list.iter().map(|entry| triangles.number(entry)).collect::<Vec<_>>()),
         Content::Grid(grid) => {
@@ -98,7 +107,7 @@ fn block<T: TwoLevel>(triangles: &Triangles, numbers: &[u32], block: &Aabb) -> V
         }
     };
     let kind = if grid.is_some() { "a grid over" } else { "a list of" };
-    let told = format!("{kind} {} primitives: {}", got.len(), words::numbers(&got));
+    let told = format!("{kind} {}", list_words(&got));
     let sorted: BTreeSet<u32> = got.iter().copied().collect();
     let reaches = |number: &u32| expected.contains(number);
     if let Some(missing) = expected.iter().find(|number| !sorted.contains(number)) {
@@ -139,12 +148,46 @@ fn block<T: TwoLevel>(triangles: &Triangles, numbers: &[u32], block: &Aabb) -> V
         let advice = "This grid reaches beyond its block. Make it over a `Part` of the block's own box.";
         return fault("grid-beyond-block", told, wanted, advice);
     }
-    let Ok(right) = Grid::over(&Part::new(triangles, &expected, *block), DENSITY) else { return Ok(()) };
+    let Ok(right) = Grid::over(&Part::new(triangles, &expected, block), DENSITY) else { return Ok(()) };
     if grid.resolution() != right.resolution() {
         let told = |grid: &Grid<Entry>| format!("a grid of {:?} cells", grid.resolution());
         return fault("other-density", told(grid), told(&right), "The grid of a block has a density of `DENSITY`.");
     }
     Ok(())
+}
+
+/// A block with many primitives, and no grid over them: twice their size is no number any more.
+fn block_without_grid<T: TwoLevel>() -> Verdict {
+    const FAR: f32 = 3e38;
+    let corners = |y: u16| [Vec3::new(0.0, f32::from(y), 0.0), Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 0.0, FAR)];
+    let mut builder = Builder::default();
+    for y in 1..40 {
+        let corners = corners(y).map(|corner| builder.vertex(corner));
+        builder.triangle(corners);
+    }
+    let triangles = triangles(&builder.mesh);
+    let numbers: Vec<u32> = (0..triangles.count()).collect();
+    let block = Aabb { min: Vec3::splat(-FAR), max: Vec3::splat(FAR) };
+    let content = content::<T>(&triangles, &numbers, &block);
+    let got = match &content {
+        Content::List(list) => list.iter().map(|entry| triangles.number(entry)).collect::<Vec<_>>(),
+        Content::Grid(_) => Vec::new(),
+    };
+    if got == numbers {
+        return Ok(());
+    }
+    let kind = if matches!(content, Content::Grid(_)) {
+        "a grid".into()
+    } else {
+        format!("a list of {}", words::numbers(&got))
+    };
+    Err(Finding {
+        tried: format!("{}, so large that `Grid::over` returns an `Err`", block_words(&numbers, &block)),
+        got: kind,
+        expected: format!("a list of {}", words::numbers(&numbers)),
+        advice: "Where there is no grid, the block lists its primitives, however many they are.".into(),
+    }
+    .named("no-list"))
 }
 
 /// Whether a box lies inside of a block, but for rounding.
@@ -227,7 +270,10 @@ fn walk<T: TwoLevel, Q: Question>(
              where nothing can be found any more.",
         ),
     };
-    let told = |walk: &Walk| format!("{} cells visited, {} primitives tested", walk.cells.len(), walk.tests.len());
+    let told = |walk: &Walk| {
+        let [cells, tests] = [(walk.cells.len(), "cell"), (walk.tests.len(), "primitive")];
+        format!("{} visited, {} tested", words::counted(cells.0, cells.1), words::counted(tests.0, tests.1))
+    };
     fault(name, told(&steps), told(&right), advice)
 }
 
@@ -281,9 +327,9 @@ fn go<Q: Question, N: Probe>(
             return;
         }
         if !faults.is_silent {
-            query.visit(u32::try_from(number).unwrap_or(u32::MAX));
+            query.visit(number);
         }
-        match &contents[number] {
+        match &contents[number as usize] {
             Content::List(list) => {
                 query.test(list);
             }

@@ -47,7 +47,7 @@ fn made(build: &impl Fn(&[Aabb]) -> Vec<Node>, boxes: &[Aabb], what: &str) -> Ve
 }
 
 fn tree_words(boxes: &[Aabb], what: &str) -> String {
-    format!("a tree of {} primitives: {what}", boxes.len())
+    format!("a tree of {}: {what}", words::counted(boxes.len(), "primitive"))
 }
 
 /// Trees over boxes of all kinds.
@@ -61,7 +61,7 @@ fn trees(build: &impl Fn(&[Aabb]) -> Vec<Node>) -> Verdict {
     for count in [17, 64, 100] {
         tree(&along(count, Vec3::new(0.5, -0.3, 0.2)), "cubes in a slanting row, overlapping")?;
     }
-    tree(&[], "none")?;
+    tree(&[], "an empty tree")?;
     let mut dice = Dice::new(462);
     for count in [20, 200] {
         let mut random = || {
@@ -111,7 +111,8 @@ impl<'c> Case<'c> {
     }
 
     fn tried(&self) -> String {
-        format!("{}, {}, in a tree of {} nodes", words::ray(&self.ray), words::range(self.range), self.nodes.len())
+        let nodes = words::counted(self.nodes.len(), "node");
+        format!("{}, {}, in a tree of {nodes}", words::ray(&self.ray), words::range(self.range))
     }
 
     fn fault(&self, name: &'static str, got: Option<Found>, expected: Option<Found>, advice: &str) -> Verdict {

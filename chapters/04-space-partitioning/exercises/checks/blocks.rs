@@ -49,7 +49,7 @@ impl Blocks {
     }
 
     /// The blocks that a ray meets, from front to back, by number, each with the part of `range` in which the ray is inside.
-    pub(crate) fn along(&self, ray: &Ray, range: Interval) -> Vec<(usize, Interval)> {
+    pub(crate) fn along(&self, ray: &Ray, range: Interval) -> Vec<(u32, Interval)> {
         let slabs = Slabs::of(ray);
         let Some(inside) = slabs.cross(&self.aabb, range) else { return Vec::new() };
         let mut met = Vec::new();
@@ -68,7 +68,7 @@ impl Blocks {
                 let Some(inside) = slabs.cross(&row, inside) else { continue };
                 for x in 0..self.count {
                     let Some(inside) = slabs.cross(&slice(row, 0, x), inside) else { continue };
-                    let [x, y, z, count] = [x, y, z, self.count].map(usize::from);
+                    let [x, y, z, count] = [x, y, z, self.count].map(u32::from);
                     met.push(((z * count + y) * count + x, inside));
                 }
             }
@@ -96,8 +96,8 @@ pub(crate) struct Part<'p, P> {
 
 impl<'p, P: Primitives> Part<'p, P> {
     /// The primitives of these numbers.
-    pub(crate) fn new(primitives: &'p P, numbers: &[u32], block: Aabb) -> Self {
-        Self { primitives, numbers: numbers.to_vec(), block }
+    pub(crate) fn new(primitives: &'p P, numbers: &[u32], block: &Aabb) -> Self {
+        Self { primitives, numbers: numbers.to_vec(), block: *block }
     }
 
     fn whole(&self, number: u32) -> u32 {

@@ -52,7 +52,8 @@ pub(crate) fn shape(nodes: &[Node], boxes: &[Aabb], tried: &str) -> Verdict {
         match &nodes[number].content {
             Content::Halves(halves) => {
                 if let Some(half) = halves.iter().find(|&&half| half >= nodes.len()) {
-                    let got = format!("node {number} has node {half} as a half, of {} nodes", nodes.len());
+                    let all = words::counted(nodes.len(), "node");
+                    let got = format!("node {number} has node {half} as a half, of {all}");
                     return fault("no-such-node", got, "halves that exist".into(), "The first node has the index 0.");
                 }
                 waiting.extend(halves.map(|half| (half, level + 1)));
@@ -85,7 +86,7 @@ pub(crate) fn shape(nodes: &[Node], boxes: &[Aabb], tried: &str) -> Verdict {
         }
     }
     if boxes.is_empty() {
-        let got = format!("a tree of {} nodes", nodes.len());
+        let got = format!("a tree of {}", words::counted(nodes.len(), "node"));
         return fault("no-primitives", got, "no nodes".into(), "Of no primitives, the tree has no nodes.");
     }
     if let Some(unused) = visits.iter().position(|&visits| visits == 0) {

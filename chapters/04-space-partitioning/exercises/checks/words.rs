@@ -23,6 +23,15 @@ pub(crate) fn found(found: Option<Found>) -> String {
     }
 }
 
+/// So many things of a kind: `no nodes`, `1 node`, `2 nodes`.
+pub(crate) fn counted(count: usize, kind: &str) -> String {
+    match count {
+        0 => format!("no {kind}s"),
+        1 => format!("1 {kind}"),
+        _ => format!("{count} {kind}s"),
+    }
+}
+
 /// Numbers of primitives, not too many of them.
 pub(crate) fn numbers(numbers: &[u32]) -> String {
     const MOST: usize = 24;

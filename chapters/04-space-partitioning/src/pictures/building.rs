@@ -15,7 +15,7 @@ pub(super) const PICTURE: Picture = Picture {
     alt: "Two plots over the number of triangles, from 100 to 10 million. Left, on a logarithmic axis, the time to \
           build: three lines that rise steadily, the kd-tree's highest, and from 10,000 triangles on the grid's \
           lowest. Right, the bytes of memory for each triangle: the grid's fall from about 180 to 65, the octree's \
-          rise from 80 to about 150 and fall to about 100, and the kd-tree's do the same a little lower.",
+          rise from 80 to 100 and fall to 86, and the kd-tree's rise from 60 to about 110 and fall to 87.",
     knobs: &[],
     size: Size::of::<960, 460>(),
     samples: 1,

@@ -14,8 +14,8 @@ pub(super) const PICTURE: Picture = Picture {
     name: "growth",
     alt: "Two plots on logarithmic axes over the number of triangles, from 100 to 10 million. Left, triangles \
           tested by a ray: by brute force all of them, a steep straight line, dashed beyond 100,000 triangles; with \
-          the grid from 14 to more than 2,000, with a jump between 1,000 and 3,000 triangles; with the octree from \
-          19 to less than 100; with the kd-tree between 7 and 17, nearly level from 10,000 triangles on. Right, the \
+          the grid from 13 to 2,700, with a jump between 1,000 and 3,000 triangles; with the octree from 21 to about \
+          110; with the kd-tree between 7 and 22, nearly level from 100,000 triangles on. Right, the \
           time for a ray: brute force grows in proportion to the number of triangles, the three structures far \
           slower.",
     knobs: &[],

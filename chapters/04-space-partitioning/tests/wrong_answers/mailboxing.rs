@@ -168,6 +168,20 @@ fn wrong_notes() {
 }
 
 #[test]
+fn a_table_of_zeros_has_a_note_about_primitive_zero() {
+    let table: Intersect<[u32; 32]> = |_, test, notes| {
+        let mut notes = notes.borrow_mut();
+        let note = &mut notes[test.number as usize % 32];
+        let is_noted = *note == test.number;
+        *note = test.number;
+        if is_noted { None } else { test.answer() }
+    };
+    let told = verdict(table).unwrap_err();
+    assert_eq!(told.name, "old-notes");
+    assert!(told.message.replace('\n', " ").contains("starts with 0"), "{told}");
+}
+
+#[test]
 fn notes_in_the_wrong_place() {
     let shared: Intersect<()> = |mailboxed, test, _| {
         let mut notes = mailboxed.shared.lock().unwrap_or_else(PoisonError::into_inner);

@@ -59,7 +59,11 @@ const RIGHT: Choice = Choice {
 impl Choice {
     fn choose(self, cell: &Aabb, axis: usize, spans: &[Span]) -> Option<Plane> {
         // Where it would take too long to count, look at a few planes only.
-        let step = 1 + spans.len() / 1000;
+        self.choose_among(cell, axis, spans, 1 + spans.len() / 1000)
+    }
+
+    /// The best plane at every so many-th span.
+    fn choose_among(self, cell: &Aabb, axis: usize, spans: &[Span], step: usize) -> Option<Plane> {
         let places = spans.iter().step_by(step).flat_map(|span| (self.places)(span));
         let is_inside = |at: &f32| self.faces || cell.min[axis] < *at && *at < cell.max[axis];
         let planes = places.filter(is_inside).map(|position| {
@@ -102,6 +106,12 @@ fn quick(cell: &Aabb, axis: usize, spans: &[Span]) -> Option<Plane> {
 #[test]
 fn the_right_one_is_accepted() {
     assert_eq!(check(COST, quick), Ok(()));
+}
+
+#[test]
+fn a_loop_over_all_spans_for_every_plane_is_too_slow() {
+    let told = check(COST, |cell, axis, spans| RIGHT.choose_among(cell, axis, spans, 1)).unwrap_err();
+    assert_eq!(told.name, "too-slow", "{told}");
 }
 
 #[test]

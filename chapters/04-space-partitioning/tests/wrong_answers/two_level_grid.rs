@@ -36,6 +36,8 @@ const GRID_OVER_ALL: usize = 8;
 const UNCLIPPED: usize = 9;
 const COARSE: usize = 10;
 const OTHER_LIMIT: usize = 11;
+const NO_ERR: usize = 20;
+const EMPTY_ON_ERR: usize = 21;
 // Faults of `walk`.
 const NOWHERE: usize = 12;
 const NEVER_ENDS: usize = 13;
@@ -60,6 +62,7 @@ impl<const FAULT: usize> TwoLevel for Wrong<FAULT> {
             }
         };
         let inside: Vec<u32> = numbers.iter().copied().filter(is_inside).collect();
+        let list = |numbers: &[u32]| Content::List(numbers.iter().map(|&number| primitives.entry(number)).collect());
         let few = match FAULT {
             ALWAYS_LIST => usize::MAX,
             ALWAYS_GRID => 0,
@@ -67,16 +70,23 @@ impl<const FAULT: usize> TwoLevel for Wrong<FAULT> {
             _ => 24,
         };
         if inside.len() <= few {
-            return Content::List(inside.iter().map(|&number| primitives.entry(number)).collect());
+            return list(&inside);
         }
         let everything = Aabb { min: -1000.0 * common::Vec3::ONE, max: 1000.0 * common::Vec3::ONE };
         let grid = match FAULT {
             GRID_OVER_ALL => Grid::over(primitives, DENSITY),
-            UNCLIPPED => Grid::over(&Part::new(primitives, &inside, everything), DENSITY),
-            COARSE => Grid::over(&Part::new(primitives, &inside, *block), 1.0),
-            _ => Grid::over(&Part::new(primitives, &inside, *block), DENSITY),
+            UNCLIPPED => Grid::over(&Part::new(primitives, &inside, &everything), DENSITY),
+            COARSE => Grid::over(&Part::new(primitives, &inside, block), 1.0),
+            _ => Grid::over(&Part::new(primitives, &inside, block), DENSITY),
         };
-        Content::Grid(grid.expect("a grid"))
+        if FAULT == NO_ERR {
+            return Content::Grid(grid.expect("a grid"));
+        }
+        match grid {
+            Ok(grid) => Content::Grid(grid),
+            Err(_) if FAULT == EMPTY_ON_ERR => list(&[]),
+            Err(_) => list(&inside),
+        }
     }
 
     fn walk<P: Primitives, Q: Question, N: Probe>(
@@ -96,9 +106,9 @@ impl<const FAULT: usize> TwoLevel for Wrong<FAULT> {
                 return;
             }
             if FAULT != SILENT {
-                query.visit(u32::try_from(number).unwrap_or(u32::MAX));
+                query.visit(number);
             }
-            let is_over = match &contents[number] {
+            let is_over = match &contents[number as usize] {
                 Content::List(list) => query.test(list),
                 Content::Grid(_) if FAULT == LISTS_ONLY => false,
                 Content::Grid(grid) => {
@@ -159,6 +169,13 @@ fn wrong_contents() {
     assert_eq!(diagnosis::<UNCLIPPED>(), "grid-beyond-block");
     assert_eq!(diagnosis::<COARSE>(), "other-density");
     assert_eq!(diagnosis::<OTHER_LIMIT>(), "grid-for-few");
+    assert_eq!(diagnosis::<EMPTY_ON_ERR>(), "no-list");
+}
+
+#[test]
+#[should_panic(expected = "NotFinite")]
+fn a_grid_that_cannot_be_made() {
+    let _ = check::<Wrong<NO_ERR>>();
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Every structure finds the same as the loop over all triangles: the same triangle, at the same `t`, to the last bit.
 //!
-//! A million rays in the test run. A hundred million, and larger scenes, in the long run, which takes some minutes:
+//! A million rays in the test run. A hundred million, and larger scenes, in the long run:
 //! `LONG_RUN=1 cargo test --release -p tests agreement -- --nocapture`.
 
 use std::sync::Arc;
@@ -98,6 +98,7 @@ fn all_structures_agree_with_brute_force_to_the_last_bit() {
         let (wrong, hits) = race(soup, each, i as u64);
         if is_long_run() {
             println!("{}: {} triangles, {each} rays, {hits} hits, {} wrong", soup.name, soup.mesh.len(), wrong.len());
+            wrong.iter().for_each(|wrong| println!("    {wrong}"));
         }
         failures.extend(wrong.first().map(|first| format!("{}: {} rays, first {first}", soup.name, wrong.len())));
         sent += each;

@@ -33,16 +33,19 @@ fn check<P: Primitives + Clone>(primitives: &P, rays: &[Ray]) -> Result<(), Stri
 
 /// The same for hits in a range.
 fn check_in<P: Primitives + Clone>(range: Interval, primitives: &P, rays: &[Ray]) -> Result<(), String> {
-    /// A ray, where its hits count, and which of them is the nearest.
-    type Asked<'r> = (&'r Ray, Interval, Option<Found>);
-    fn one<P: Primitives, T: Partition<P>>(structure: &Structure<P, T>, asked: &[Asked<'_>]) -> Result<(), String> {
+    /// Rays, and the nearest hit of each; and where hits count.
+    type Asked<'r> = (Vec<(&'r Ray, Option<Found>)>, Interval);
+    fn one<P: Primitives, T: Partition<P>>(
+        structure: &Structure<P, T>,
+        (rays, range): &Asked<'_>,
+    ) -> Result<(), String> {
         structure.validate()?;
-        for &(ray, range, expected) in asked {
-            let found = structure.nearest(ray, range, &mut ());
+        for &(ray, expected) in rays {
+            let found = structure.nearest(ray, *range, &mut ());
             if found != expected {
                 return Err(format!("{found:?} instead of {expected:?} for {ray:?}"));
             }
-            if structure.occluded(ray, range) != expected.is_some() {
+            if structure.occluded(ray, *range) != expected.is_some() {
                 return Err(format!("occlusion of {ray:?}"));
             }
         }
@@ -50,7 +53,7 @@ fn check_in<P: Primitives + Clone>(range: Interval, primitives: &P, rays: &[Ray]
     }
     let error = |error: StructureError| error.to_string();
     let all = every_one(primitives.clone()).map_err(error)?;
-    let asked: Vec<_> = rays.iter().map(|ray| (ray, range, all.nearest(ray, range, &mut ()))).collect();
+    let asked = (rays.iter().map(|ray| (ray, all.nearest(ray, range, &mut ()))).collect(), range);
     one(&grid(primitives.clone()).map_err(error)?, &asked).map_err(|e| format!("grid: {e}"))?;
     one(&octree(primitives.clone()).map_err(error)?, &asked).map_err(|e| format!("octree: {e}"))?;
     one(&kd_tree(primitives.clone()).map_err(error)?, &asked).map_err(|e| format!("kd-tree: {e}"))?;

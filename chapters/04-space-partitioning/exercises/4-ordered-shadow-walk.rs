@@ -34,7 +34,7 @@
 //!
 //! - The answer is `true` if any primitive is hit inside `range`, otherwise `false`. A list without nodes is an empty tree.
 //! - `range` ends at the light. What lies beyond does not count, so hand `range` on to every question. It may end at infinity.
-//!   (Within a box you may hand on the part that `cross` has returned for it: no hit in that box lies outside of that part.)
+//!   (Within a box you may hand on the part that `cross` has returned for it. That counts as right too.)
 //! - If the ray misses a box in `range`, nothing in it is tested.
 //! - The first hit ends everything: there is no test after it.
 //! - Of two halves that the ray meets, the first to be visited is that in which it is inside for longer: where `max − min` of

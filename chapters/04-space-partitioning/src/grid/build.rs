@@ -46,11 +46,11 @@ fn fill_block<P: Primitives>(
     // Note who is in which cell, and count how long the cell's list will be.
     let first = block.first(cells);
     let mut lengths = vec![0; block.count()];
-    let mut notes: Vec<(usize, u32)> = Vec::new();
+    let mut notes: Vec<(u32, u32)> = Vec::new();
     for (number, aabb) in block.touched(cells, boxes) {
         let before = notes.len();
         for_each_cell(primitives, cells, number, aabb, block, &mut |cell| {
-            lengths[cell - first] += 1;
+            lengths[(cell - first) as usize] += 1;
             notes.push((cell - first, number));
         });
         if !room.has(notes.len() - before) {
@@ -61,8 +61,9 @@ fn fill_block<P: Primitives>(
     let mut next = begins(lengths.iter().copied());
     let mut numbers = vec![0; notes.len()];
     for (cell, number) in notes {
-        numbers[next[cell] as usize] = number;
-        next[cell] += 1;
+        let place = &mut next[cell as usize];
+        numbers[*place as usize] = number;
+        *place += 1;
     }
     Some((lengths, numbers))
 }
@@ -136,8 +137,8 @@ impl Reach {
     }
 
     /// The number of its first cell.
-    fn first(&self, cells: &Cells) -> usize {
-        cells.number(self.0.map(|[first, _]| first)) as usize
+    fn first(&self, cells: &Cells) -> u32 {
+        cells.number(self.0.map(|[first, _]| first))
     }
 
     /// The space that the cells take, and a hair more on all sides.
@@ -174,7 +175,7 @@ fn for_each_cell<P: Primitives>(
     number: u32,
     aabb: Aabb,
     block: Reach,
-    tell: &mut impl FnMut(usize),
+    tell: &mut impl FnMut(u32),
 ) {
     let whole = Reach::of(cells, &aabb);
     let here = whole.within(block);
@@ -198,14 +199,14 @@ fn list_in<P: Primitives>(
     number: u32,
     aabb: Aabb,
     reach: Reach,
-    tell: &mut impl FnMut(usize),
+    tell: &mut impl FnMut(u32),
 ) {
     if reach.count() <= FEW {
         let [[x1, x2], [y1, y2], [z1, z2]] = reach.0;
         for z in z1..=z2 {
             for y in y1..=y2 {
                 for x in x1..=x2 {
-                    tell(cells.number([x, y, z]) as usize);
+                    tell(cells.number([x, y, z]));
                 }
             }
         }

@@ -108,7 +108,8 @@ impl HeatMaps {
             let share = f32::from(i) / f32::from(FIGURES);
             let foot = corner + Vec2::new(share * size.x, size.y + 20.0);
             let beyond = [" or less", "", " or more"][usize::from(i > 0) + usize::from(i == FIGURES)];
-            let text = format!("{:.0}{beyond}", self.hottest * float::pow(RANGE, share - 1.0));
+            let steps = self.hottest * float::pow(RANGE, share - 1.0);
+            let text = if steps < 0.5 { format!("{steps:.2}{beyond}") } else { format!("{steps:.0}{beyond}") };
             self.drawing.text(&text, foot, Lettering::new(16.0, CHALK).aligned(Align::Center));
         }
         let beside = corner + Vec2::new(size.x / 2.0, -8.0);

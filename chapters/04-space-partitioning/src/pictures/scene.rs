@@ -40,7 +40,7 @@ const STRUCTURE: Knob = Knob::choice("structure", "what finds the triangles", &C
 const COUNTED: Knob = Knob::choice("counted", "which steps are shown", &["cells-and-tests", "cells", "tests"], 0);
 /// The hottest color.
 const SCALE: Knob =
-    Knob::number("scale", "steps of the hottest color", [1024.0, 65_536.0], 4096.0, "steps", Step::Times(2.0));
+    Knob::number("scale", "steps of the hottest color", [256.0, 65_536.0], 4096.0, "steps", Step::Times(2.0));
 
 /// A scene in the light.
 pub(super) const fn shaded(

@@ -3,6 +3,7 @@
 //! Each idea of the chapter has a file of its own, named after it. What is measured of them is in [`experiments`].
 
 pub mod chart;
+pub mod chi_square;
 pub mod cosine_hemisphere;
 pub mod direction_sample;
 pub mod direction_sampling;

@@ -6,14 +6,22 @@
 
 #![allow(dead_code, reason = "an exercise uses its own check only")]
 
+mod density_mistakes;
 pub(crate) mod discrepancy;
+mod glossy;
 mod offsets;
-mod tally;
+pub(crate) mod table;
+pub(crate) mod tally;
 mod triangle;
+mod view;
 mod words;
 
 #[path = "3-halton-points.rs"]
 pub(crate) mod halton_points;
+#[path = "4-phong-lobe.rs"]
+pub(crate) mod phong_lobe;
+#[path = "5-picture-as-density.rs"]
+pub(crate) mod picture_as_density;
 #[path = "1-stratified-samples.rs"]
 pub(crate) mod stratified_samples;
 #[path = "2-triangle-points.rs"]

@@ -7,6 +7,10 @@ mod evening;
 
 #[path = "3-halton-points.rs"]
 pub(crate) mod halton_points;
+#[path = "4-phong-lobe.rs"]
+pub(crate) mod phong_lobe;
+#[path = "5-picture-as-density.rs"]
+pub(crate) mod picture_as_density;
 #[path = "1-stratified-samples.rs"]
 pub(crate) mod stratified_samples;
 #[path = "2-triangle-points.rs"]

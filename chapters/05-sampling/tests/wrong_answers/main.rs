@@ -5,6 +5,9 @@
 mod checks;
 
 mod halton_points;
+mod phong_lobe;
+mod picture_as_density;
+mod picture_as_points;
 mod stratified_samples;
 mod triangle_points;
 

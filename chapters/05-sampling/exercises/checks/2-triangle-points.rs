@@ -125,7 +125,7 @@ fn moments(means: &[Estimate; 3], products: &[Estimate; 3]) -> Option<(String, S
         means.iter().map(|mean| (mean, 1.0 / 3.0, "weight")).chain(products.iter().map(|p| (p, 1.0 / 12.0, "product")));
     let (mean, expected, what) =
         all.into_iter().find(|(mean, expected, _)| (mean.mean() - expected).abs() > 2.0 * mean.three_sigma() + 1e-5)?;
-    Some((format!("a {what} of {} on average", number(mean.mean())), format!("{}", number(expected))))
+    Some((format!("a {what} of {} on average", number(mean.mean())), number(expected)))
 }
 
 /// The densities of all triangles.

@@ -12,7 +12,7 @@ use sampling::{direction_sample::DirectionSample, estimate::Estimate, unit_squar
 use super::{
     glossy::glossy,
     tally::Tally,
-    words::{about, number, pair, triple},
+    words::{about, is_near, number, pair, triple},
 };
 
 /// What the student writes.
@@ -91,7 +91,7 @@ fn lobe(n: f32, draw: &dyn Fn(Vec2) -> Vec3) -> Verdict {
             let (got, expected) = (triple(direction), expected.into());
             Err(Finding { tried: tried.clone(), got, expected, advice: advice.into() }.named(name))
         };
-        if !((direction.length() - 1.0).abs() < 1e-4) {
+        if !is_near(direction.length().into(), 1.0, 1e-4) {
             let advice = "The vector has not the length 1. With the height c, its distance from the axis is √(1 − c²).";
             return wrong("not-a-unit-vector", "a unit vector", advice);
         }
@@ -149,7 +149,7 @@ fn densities(pdf: &dyn Fn(f32, f32) -> f64) -> Verdict {
     let power = |n: f64, cosine: f64| float::exp_f64(n * float::ln_f64(cosine));
     let right = |n: f64, cosine: f64| (n + 1.0) / TAU * power(n, cosine);
     let wrong = |n: f32, cosine: f32| {
-        !((pdf(n, cosine) - pdf_of(n, cosine.into())).abs() <= pdf_of(n, cosine.into()) * 1e-3 + 1e-30)
+        !is_near(pdf(n, cosine), pdf_of(n, cosine.into()), pdf_of(n, cosine.into()) * 1e-3 + 1e-30)
     };
     if let Some((n, cosine)) = questions().find(|&(n, cosine)| wrong(n, cosine)) {
         let (name, advice) = if is(&power) || is(&|n, c| power(n, c) * (n + 1.0)) {

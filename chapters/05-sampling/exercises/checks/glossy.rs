@@ -13,7 +13,7 @@ use super::{
     phong_lobe::{cell, pdf_of},
     tally::Tally,
     view::View,
-    words::{about, number, pair, triple},
+    words::{about, is_near, number, pair, triple},
 };
 
 type Draw = fn(Vec3, Vec3, f32, Vec2) -> Option<DirectionSample>;
@@ -60,7 +60,7 @@ fn seen(view: &View, draw: Draw) -> Verdict {
             Err(Finding { tried: tried(), got, expected, advice: advice.into() }.named(name))
         };
         let direction = sample.direction;
-        if !((direction.length() - 1.0).abs() < 1e-4) {
+        if !is_near(direction.length().into(), 1.0, 1e-4) {
             let advice = "A vector of the lobe is turned, not stretched: `Basis::around(axis).to_world(local)` keeps its length.";
             return wrong("glossy-not-a-unit-vector", triple(direction), "a unit vector".into(), advice);
         }

@@ -15,3 +15,8 @@ pub(crate) fn pair(v: Vec2) -> String {
 pub(crate) fn about(x: f64) -> String {
     if x == 0.0 || (1e-3..1e4).contains(&x.abs()) { number((x * 1e4).round() / 1e4) } else { format!("{x:.2e}") }
 }
+
+/// Whether two numbers differ by no more than that. False for what is no number.
+pub(crate) fn is_near(a: f64, b: f64, slack: f64) -> bool {
+    (a - b).abs() <= slack
+}

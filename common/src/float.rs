@@ -28,6 +28,30 @@ pub fn tan_f64(radians: f64) -> f64 {
     libm::tan(radians)
 }
 
+/// Sine of an angle in radians, in double precision.
+#[must_use]
+pub fn sin_f64(radians: f64) -> f64 {
+    libm::sin(radians)
+}
+
+/// Cosine of an angle in radians, in double precision.
+#[must_use]
+pub fn cos_f64(radians: f64) -> f64 {
+    libm::cos(radians)
+}
+
+/// e to the power of `x`, in double precision.
+#[must_use]
+pub fn exp_f64(x: f64) -> f64 {
+    libm::exp(x)
+}
+
+/// Natural logarithm of `x`, in double precision.
+#[must_use]
+pub fn ln_f64(x: f64) -> f64 {
+    libm::log(x)
+}
+
 /// The angle in radians, in `[0, π]`, whose cosine is `x`; NaN outside `[-1, 1]`.
 #[must_use]
 pub fn acos(x: f32) -> f32 {

@@ -80,6 +80,16 @@ pub fn check_writable(path: &Path) -> Result<Format, Error> {
     Ok(format)
 }
 
+/// Refuse a folder in which nothing can be written before any work is done for it. It is made if need be.
+///
+/// # Errors
+/// [`Error::Write`] with the reason that the system gives.
+pub fn check_folder(folder: &Path) -> Result<(), Error> {
+    fs::create_dir_all(folder).map_err(|e| failed(folder, reason(&e)))?;
+    let trial = neighbor(&folder.join("trial"))?;
+    File::create(&trial).and_then(|_| fs::remove_file(&trial)).map_err(|e| failed(folder, reason(&e)))
+}
+
 /// Write a file in one step: all of `bytes`, or, if anything goes wrong, the file as it was before.
 ///
 /// The bytes go to a neighbor first, which then takes the file's name.

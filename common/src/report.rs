@@ -16,10 +16,36 @@ pub struct Report {
     pub knobs: &'static [Knob],
     /// Whether it can be about a mesh that the user names with `--mesh FILE`.
     pub takes_mesh: bool,
+    /// Whether it has files to give, such as a plot, for a folder that the user names with `--output FOLDER`.
+    pub gives_files: bool,
     /// Does the work and puts it into lines, each ended, of at most 100 characters.
-    pub make: fn(&Task) -> Result<String, Error>,
+    pub make: fn(&Task) -> Result<Told, Error>,
 }
 // ANCHOR_END: report
+
+/// What a report has to tell.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Told {
+    /// Its lines.
+    pub text: String,
+    /// The same in more detail, as files. They are written only where the user wants them.
+    pub files: Vec<Attachment>,
+}
+
+/// A file that a report gives along with its text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Attachment {
+    /// Name of the file, without a folder.
+    pub name: String,
+    /// All that is in it.
+    pub content: String,
+}
+
+impl From<String> for Told {
+    fn from(text: String) -> Self {
+        Self { text, files: Vec::new() }
+    }
+}
 
 /// What a user wants a report about, and what may be used for it.
 #[derive(Clone, Copy)]

@@ -9,6 +9,7 @@ mod camera;
 mod command_line;
 mod degenerate;
 mod exact;
+mod experiments;
 mod fresnel;
 mod growth;
 mod house;

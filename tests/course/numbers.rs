@@ -3,6 +3,7 @@
 //! `UPDATE_NUMBERS=1 cargo test -p tests numbers` writes them anew.
 
 mod ray_casting;
+mod sampling;
 mod shadows;
 mod space_partitioning;
 mod whitted;
@@ -49,6 +50,7 @@ fn numbers_are_pinned() {
         ("shadows", shadows::measured()),
         ("whitted", whitted::measured()),
         ("space-partitioning", space_partitioning::measured()),
+        ("sampling", sampling::measured()),
     ];
     for (chapter, measured) in chapters {
         let file = format!("numbers/{chapter}.txt");

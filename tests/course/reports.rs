@@ -13,7 +13,7 @@ use common::{
 use tempfile::TempDir;
 
 /// What came out of a chapter's program: exit code, standard output, standard error.
-fn run(chapter: &str, folder: &Path, arguments: &[&str]) -> (i32, String, String) {
+pub(crate) fn run(chapter: &str, folder: &Path, arguments: &[&str]) -> (i32, String, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_chapter"));
     command.arg(chapter).args(arguments).current_dir(folder).stdin(Stdio::null());
     let output = command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").output().unwrap();

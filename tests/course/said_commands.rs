@@ -59,8 +59,10 @@ fn words(line: &str) -> Vec<String> {
 fn quick(words: &[String]) -> Vec<String> {
     let mut arguments: Vec<String> = Vec::new();
     let asks_a_pixel = words.iter().any(|word| word == "--pixel");
-    // A report makes no picture.
-    let is_report = words.iter().any(|word| word == "--compare");
+    // A report makes no picture. Each has knobs that make it quick.
+    const REPORTS: [(&str, &[&str]); 2] =
+        [("--compare", &["rays=100"]), ("--experiment", &["samples=10000", "runs=4", "trials=1000"])];
+    let report = REPORTS.iter().find(|(name, _)| words.iter().any(|word| word == name));
     let mut rest = words.iter().skip_while(|word| *word != "--").skip(1);
     while let Some(word) = rest.next() {
         match word.as_str() {
@@ -72,8 +74,9 @@ fn quick(words: &[String]) -> Vec<String> {
             _ => arguments.push(word.clone()),
         }
     }
-    if is_report {
-        arguments.extend(["--set", "rays=100", "--quiet"].map(String::from));
+    if let Some((_, quick)) = report {
+        arguments.extend(quick.iter().flat_map(|set| ["--set".into(), String::from(*set)]));
+        arguments.push("--quiet".into());
         return arguments;
     }
     arguments.extend(["--samples".into(), "1".into()]);

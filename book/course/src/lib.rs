@@ -9,4 +9,4 @@ use common::picture::Chapter;
 
 /// The chapters in their order.
 pub const CHAPTERS: &[Chapter] =
-    &[ray_casting::CHAPTER, shadows::CHAPTER, whitted::CHAPTER, space_partitioning::CHAPTER];
+    &[ray_casting::CHAPTER, shadows::CHAPTER, whitted::CHAPTER, space_partitioning::CHAPTER, sampling::CHAPTER];

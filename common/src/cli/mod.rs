@@ -105,10 +105,13 @@ fn list(chapter: &Chapter) -> String {
         text += &format!("\n{name} ({size}, {samples} samples{cover}{mesh})\n  {alt}\n");
         text += &list_knobs(knobs);
     }
-    for Report { name, what, subject, knobs, takes_mesh, .. } in chapter.reports {
+    for Report { name, what, subject, knobs, takes_mesh, gives_files, .. } in chapter.reports {
+        let words = subject.map(|knob| format!("    {}: {}, {}\n", knob.name, knob.what, knob.range()));
+        let words = words.unwrap_or_default();
         let subject = subject.map(|knob| format!(" {}", knob.name)).unwrap_or_default();
         let mesh = if *takes_mesh { ", takes --mesh FILE" } else { "" };
-        text += &format!("\n--{name}{subject} (a report{mesh})\n  {what}\n{}", list_knobs(knobs));
+        let files = if *gives_files { ", gives files with --output FOLDER" } else { "" };
+        text += &format!("\n--{name}{subject} (a report{mesh}{files})\n  {what}\n{words}{}", list_knobs(knobs));
     }
     text
 }

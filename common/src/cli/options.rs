@@ -45,10 +45,19 @@ pub(super) fn command(chapter: &Chapter) -> Command {
         .arg(option("seed", "N", value_parser!(u64).into(), "Seed of the random numbers [default: 0]"))
         .arg(option("threads", "N", ValueParser::new(threads), "Threads, 1 to 1024 [default: one a core]"))
         .arg(option("exposure", "STOPS", ValueParser::new(exposure), "Brighten by a factor of 2^STOPS, -20 to 20"))
-        .arg(option("output", "FILE", value_parser!(PathBuf), "File to write, .png or .exr; - for standard output"))
+        .arg(option("output", "FILE", value_parser!(PathBuf), output(chapter)))
         .arg(flag("no-window", "Do not open a window"))
         .arg(option("pixel", "X,Y", ValueParser::new(pixel), "Tell how this pixel got its color, instead of rendering"))
         .arg(flag("quiet", "Tell nothing but errors"))
+}
+
+/// What can be named with `--output`.
+fn output(chapter: &Chapter) -> &'static str {
+    if chapter.reports.iter().any(|report| report.gives_files) {
+        "File to write, .png or .exr; - for standard output; for a report, the folder of its files"
+    } else {
+        "File to write, .png or .exr; - for standard output"
+    }
 }
 
 /// The option that asks for a report.

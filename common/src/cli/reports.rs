@@ -22,15 +22,16 @@ pub(crate) struct Inquiry {
     seed: u64,
     threads: usize,
     quiet: bool,
+    /// The folder for the report's files, if they are wanted.
+    folder: Option<PathBuf>,
 }
 
 /// Arguments that mean nothing to a report, and what to call them.
-const FOR_PICTURES: [(&str, &str); 7] = [
+const FOR_PICTURES: [(&str, &str); 6] = [
     ("list", "--list"),
     ("size", "--size"),
     ("samples", "--samples"),
     ("exposure", "--exposure"),
-    ("output", "--output"),
     ("pixel", "--pixel"),
     ("picture", ""),
 ];
@@ -63,18 +64,35 @@ pub(super) fn understand(chapter: &Chapter, matches: &ArgMatches) -> Result<Opti
         }
         settings.mesh = Some(obj::read(path).map_err(Stop::Unusable)?);
     }
+    let folder = matches.get_one::<PathBuf>("output").cloned();
+    match &folder {
+        Some(_) if !report.gives_files => {
+            return Err(Stop::Wrong(format!("report '{name}' has no files to give; leave out '--output'")));
+        }
+        Some(folder) if folder.as_os_str() == "-" => {
+            return Err(Stop::Wrong(format!(
+                "--{name} puts its table on standard output by itself; --output takes a folder for its files"
+            )));
+        }
+        _ => {}
+    }
     Ok(Some(Inquiry {
         report,
         settings,
         seed: matches.get_one("seed").copied().unwrap_or_default(),
         threads: matches.get_one("threads").copied().unwrap_or_default(),
         quiet: matches.get_flag("quiet"),
+        folder,
     }))
 }
 
 impl Inquiry {
-    /// Make the report and write it to standard output. Meanwhile whoever sits at a terminal is told each step.
+    /// Make the report and write it to standard output, and its files to where they are wanted. Meanwhile whoever sits
+    /// at a terminal is told each step.
     pub(super) fn answer(&self) -> Result<(), Error> {
+        if let Some(folder) = &self.folder {
+            output::check_folder(folder)?;
+        }
         let is_watched = !self.quiet && std::io::stderr().is_terminal();
         let progress = |step: &str| {
             if is_watched {
@@ -83,11 +101,20 @@ impl Inquiry {
         };
         let task = Task { settings: &self.settings, seed: self.seed, threads: self.threads, progress: &progress };
         let report = parallel::with_threads(self.threads, || (self.report.make)(&task));
-        let report = report.map_err(|error| match error {
+        let told = report.map_err(|error| match error {
             Error::Picture(what) => Error::Report(what),
             other => other,
         })?;
-        output::write_to_stdout(report.as_bytes())
+        if let Some(folder) = &self.folder {
+            for file in &told.files {
+                let path = folder.join(&file.name);
+                output::write(&path, file.content.as_bytes())?;
+                if !self.quiet {
+                    say(&format!("Wrote {}.", path.display()));
+                }
+            }
+        }
+        output::write_to_stdout(told.text.as_bytes())
     }
 }
 
@@ -97,6 +124,7 @@ mod tests {
     use crate::{
         cli::arguments::{Wish, parse},
         knob::{Knob, Step},
+        report::{Attachment, Told},
     };
 
     const COUNT: Knob = Knob::number("count", "how many", [1.0, 9.0], 2.0, "", Step::Whole);
@@ -107,9 +135,20 @@ mod tests {
         subject: None,
         knobs: &[COUNT],
         takes_mesh: false,
-        make: |task| Ok(format!("{}\n", task.settings.values.index(&COUNT))),
+        gives_files: false,
+        make: |task| Ok(format!("{}\n", task.settings.values.index(&COUNT)).into()),
     };
-    const ABOUT: Report = Report { name: "about", subject: Some(&WHICH), knobs: &[], ..PLAIN };
+    const ABOUT: Report = Report {
+        name: "about",
+        subject: Some(&WHICH),
+        knobs: &[],
+        gives_files: true,
+        make: |_| {
+            let files = ["a.csv", "b.svg"].map(|name| Attachment { name: name.into(), content: format!("<{name}>\n") });
+            Ok(Told { text: String::new(), files: files.into() })
+        },
+        ..PLAIN
+    };
     const CHAPTER: Chapter = Chapter { number: 0, name: "toy", title: "Toy", pictures: &[], reports: &[PLAIN, ABOUT] };
 
     fn asked(line: &str) -> Result<Inquiry, String> {
@@ -137,6 +176,8 @@ mod tests {
             ("--plain ball", "leave out 'ball'"),
             ("--plain --size 4x3", "leave out '--size'"),
             ("--list --plain", "leave out '--list'"),
+            ("--plain --output x", "report 'plain' has no files to give; leave out '--output'"),
+            ("--about one --output -", "--output takes a folder"),
             ("--plain --set conut=7", "report 'plain' has no knob 'conut'; did you mean 'count'?"),
             ("--about one --set count=7", "report 'about' has no knobs"),
             ("--plain --set count=NaN", "from 1 to 9"),
@@ -150,6 +191,23 @@ mod tests {
             let said = asked(line).map(|_| ()).unwrap_err();
             assert!(said.contains(part), "{line}: {said}");
         }
+    }
+
+    #[test]
+    fn files_go_to_the_folder_that_is_named() {
+        let folder = std::env::temp_dir().join(format!("course-report-{}", std::process::id()));
+        let plots = folder.join("deep/plots");
+        for _again in 0..2 {
+            asked(&format!("--about one --quiet --output {}", plots.display())).unwrap().answer().unwrap();
+        }
+        let mut names: Vec<_> = std::fs::read_dir(&plots).unwrap().map(|file| file.unwrap().file_name()).collect();
+        names.sort();
+        assert_eq!(names, ["a.csv", "b.svg"]);
+        assert_eq!(std::fs::read_to_string(plots.join("b.svg")).unwrap(), "<b.svg>\n");
+        // A file is no folder.
+        let blocked = asked(&format!("--about one --quiet --output {}", plots.join("a.csv").display())).unwrap();
+        assert!(blocked.answer().unwrap_err().to_string().starts_with("cannot write "));
+        std::fs::remove_dir_all(&folder).unwrap();
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use common::{
     Error,
     knob::{Knob, Step},
-    report::{Report, Task},
+    report::{Report, Task, Told},
 };
 
 use crate::{comparison::Comparison, scenes, scenes::GENERATORS, viewed_mesh::ViewedMesh};
@@ -26,15 +26,16 @@ pub(super) const REPORT: Report = Report {
     subject: None,
     knobs: &[SCENE, TRIANGLES, RAYS],
     takes_mesh: true,
+    gives_files: false,
     make,
 };
 
-fn make(task: &Task) -> Result<String, Error> {
+fn make(task: &Task) -> Result<Told, Error> {
     let (title, viewed) = viewed(task)?;
     #[expect(clippy::cast_possible_truncation, reason = "the knob's range is smaller")]
     let rays = task.settings.values.index(&RAYS) as u32;
     let comparison = Comparison::new(&viewed, rays, task.seed, task.progress)?;
-    Ok(format!("{title}; triangles: {}\n\n{comparison}", comparison.triangles))
+    Ok(format!("{title}; triangles: {}\n\n{comparison}", comparison.triangles).into())
 }
 
 /// What is looked at, and what to call it.

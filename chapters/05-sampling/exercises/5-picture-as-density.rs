@@ -6,10 +6,13 @@
 //!
 //! First a single row of cells. Add up the weights from the left, and divide all sums by the last one: this is the cumulative
 //! distribution, which rises from 0 to 1. Cell i takes the numbers u from the sum before it to its own sum, so its share of them
-//! is its weight. To find the cell of a given u is to invert the distribution.
+//! is its weight over the sum of all. To find the cell of a given u is to invert the distribution.
 //!
 //! Two dimensions are two steps. The sum of each row is a weight of the row: these choose the row (the marginal distribution).
 //! The weights of that row choose the column (the conditional distribution).
+//!
+//! A `table` holds both: `table.rows` is what `cumulative` makes of the sums of the rows, and `table.columns[row]` what it makes
+//! of that row, as lists of f64. Where rounding would make a number 1 that must be below, take `BELOW_ONE`.
 //!
 //! ## Your task
 //!

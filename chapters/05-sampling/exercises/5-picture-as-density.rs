@@ -30,7 +30,7 @@
 //! ## When you are done
 //!
 //! `cargo exercise 5.5` checks your table and takes a picture of chapter 3 for the weights. It throws 80,000 dots onto a black
-//! page, all equally bright, where your function puts them.
+//! page, all nearly equally bright, where your function puts them.
 
 use std::process::ExitCode;
 

@@ -11,7 +11,7 @@ pub(crate) struct Tally {
 }
 
 impl Tally {
-    /// A check asks for χ² a few dozen times. With this it errs about once in a million answers.
+    /// A check asks for χ² a few dozen times. With this it errs less than once in a million answers.
     const RISK: f64 = 1e-8;
 
     /// Cells that should get these shares of all samples.
@@ -28,11 +28,6 @@ impl Tally {
     pub(crate) fn add(&mut self, cell: usize) {
         let last = self.counts.len() - 1;
         self.counts[cell.min(last)] += 1;
-    }
-
-    /// How many samples there should be in a cell for each that there is: 2 if it got twice as many as it should.
-    pub(crate) fn excess(&self, cell: usize) -> f64 {
-        f64::from(self.counts[cell]) / self.expected()[cell]
     }
 
     fn expected(&self) -> Vec<f64> {

@@ -20,7 +20,7 @@ const CELLS: [usize; 2] = [320, 180];
 
 /// The picture, made by `make`.
 pub(crate) const fn picture(make: Make) -> Picture {
-    let alt = "Tens of thousands of small equally bright dots on black. They show the treasure of chapter 3, large metal balls on a round \
+    let alt = "Tens of thousands of small dots of nearly the same brightness on black. They show the treasure of chapter 3, large metal balls on a round \
                terrace by the sea: where that picture is bright the dots lie close together, and where it is dark there are few.";
     Picture { knobs: &[DOTS], ..super::picture("5.5-picture-as-density", alt, make) }
 }

@@ -23,7 +23,7 @@ impl Background for Evening {
 /// Matte things on a pale floor.
 ///
 /// # Errors
-/// Does not fail.
+/// None with these shapes.
 pub(super) fn still_life() -> Result<Scene<Phong>, Error> {
     let matte = |red, green, blue| Phong::of(srgb(red, green, blue), 0.0, 1.0);
     let ball = |x: f32, z: f32, radius: f32| Sphere::new(Vec3::new(x, radius, z), radius);

@@ -37,6 +37,17 @@ pub fn srgb(red: u8, green: u8, blue: u8) -> Rgb {
     Rgb::from_array([red, green, blue].map(|c| srgb_decode(f32::from(c) / 255.0)))
 }
 
+/// The color at `share`, from 0 to 1, of the way along colors that stand at equal distances; black without any.
+#[must_use]
+pub fn gradient(colors: &[Rgb], share: f32) -> Rgb {
+    let last = colors.len().saturating_sub(1);
+    let at = share.clamp(0.0, 1.0) * last as f32;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to the last")]
+    let step = (at as usize).min(last.saturating_sub(1));
+    let color = |i: usize| colors.get(i).or(colors.last()).copied().unwrap_or(Rgb::ZERO);
+    color(step).lerp(color(step + 1), at - step as f32)
+}
+
 /// One linear channel as the byte of a PNG: clamped to `[0, 1]`, encoded, rounded to nearest. NaN gives 0.
 #[must_use]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the value is in 0 to 255.5 by then")]
@@ -92,6 +103,15 @@ impl Default for ByteTable {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_gradient_meets_its_colors_and_runs_straight_between_them() {
+        let colors = [Rgb::ZERO, Rgb::ONE, Rgb::X];
+        let at = |share| gradient(&colors, share);
+        assert_eq!([-1.0, 0.0, 0.5, 1.0, 9.0].map(at), [Rgb::ZERO, Rgb::ZERO, Rgb::ONE, Rgb::X, Rgb::X]);
+        assert_eq!(at(0.25), Rgb::splat(0.5));
+        assert_eq!((gradient(&[], 0.3), gradient(&[Rgb::Y], 0.3)), (Rgb::ZERO, Rgb::Y));
+    }
 
     #[test]
     fn the_table_gives_the_same_bytes() {

@@ -85,6 +85,9 @@ pub fn check_writable(path: &Path) -> Result<Format, Error> {
 /// # Errors
 /// [`Error::Write`] with the reason that the system gives.
 pub fn check_folder(folder: &Path) -> Result<(), Error> {
+    if folder.is_file() {
+        return Err(failed(folder, "it is a file, not a folder"));
+    }
     fs::create_dir_all(folder).map_err(|e| failed(folder, reason(&e)))?;
     let trial = neighbor(&folder.join("trial"))?;
     File::create(&trial).and_then(|_| fs::remove_file(&trial)).map_err(|e| failed(folder, reason(&e)))

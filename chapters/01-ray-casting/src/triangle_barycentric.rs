@@ -90,7 +90,7 @@ impl Triangle {
             return None;
         }
         // In this view the ray is the point (0, 0): each weight is twice the area of the triangle that the opposite
-        // edge spans with it. Inside means: no two weights of different sign. Most triangles are refused here.
+        // edge spans with it. Inside means: no two weights of different sign.
         if signs_differ([area(c, b), area(a, c), area(b, a)]) {
             return None;
         }

@@ -84,8 +84,11 @@ impl SkyLight {
             if let Some(rough) = &material.rough {
                 radiance += share * self.gather(rough, &hit, random, story);
             }
-            // The chance that a uniform direction is the mirror direction is 0.
-            if !material.reflective || self.choice == Choice::Uniform {
+            if !material.reflective {
+                break;
+            }
+            if self.choice == Choice::Uniform {
+                story.tell(|| "mirrors, but the chance that a uniform direction is the mirror direction is 0".into());
                 break;
             }
             let to_viewer = -ray.direction;

@@ -33,6 +33,16 @@ pub(crate) fn point_in_cube(random: &mut Stream) -> Vec3 {
 }
 // ANCHOR_END: rejection
 
+/// A point of the unit ball, uniform, its center included.
+pub(crate) fn point_in_ball(random: &mut Stream) -> Vec3 {
+    loop {
+        let point = point_in_cube(random);
+        if point.length_squared() <= 1.0 {
+            return point;
+        }
+    }
+}
+
 // ANCHOR: closed_form
 /// A unit vector, uniform over the sphere, from a point `u` of the unit square.
 ///

@@ -206,7 +206,7 @@ mod tests {
         assert_eq!(std::fs::read_to_string(plots.join("b.svg")).unwrap(), "<b.svg>\n");
         // A file is no folder.
         let blocked = asked(&format!("--about one --quiet --output {}", plots.join("a.csv").display())).unwrap();
-        assert!(blocked.answer().unwrap_err().to_string().starts_with("cannot write "));
+        assert!(blocked.answer().unwrap_err().to_string().ends_with("it is a file, not a folder"));
         std::fs::remove_dir_all(&folder).unwrap();
     }
 

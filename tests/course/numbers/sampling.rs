@@ -13,7 +13,10 @@ use sampling::{
         outside_three_sigma::{NORMAL_SHARE, Outside},
     },
     integrals::{Integral, MAX_DIMENSION, MEAN, PRODUCT, Placement, STEP},
-    pictures::uniform_against_cosine::{seen, variance},
+    pictures::{
+        tangent_frame::naive,
+        uniform_against_cosine::{seen, variance},
+    },
     sky_light::Choice,
     uniform_sphere::sample_uniform_sphere,
     unit_square::sample_unit_square,
@@ -111,12 +114,13 @@ fn three_sigma(numbers: &mut Numbers) {
 fn directions(numbers: &mut Numbers) {
     const SAMPLES: u64 = 1_000_000;
     numbers.about("The mean of cosθ over a million directions, three standard deviations of it, and its closed form.");
-    for measured in mean_cosine::measure(SAMPLES, 0) {
+    let schemes = mean_cosine::measure(SAMPLES, 0);
+    for measured in &schemes {
         let name = measured.scheme.name().replace(" + ", "-plus-").replace(' ', "-");
         numbers.pin(&format!("cosine-{name}"), format!("{:.4}", measured.cosine.mean()));
         numbers.pin(&format!("cosine-{name}-known"), format!("{:.4}", measured.scheme.mean_cosine()));
     }
-    let uncertain = mean_cosine::measure(SAMPLES, 0)[Scheme::Uniform as usize].cosine.three_sigma();
+    let uncertain = schemes[Scheme::Uniform as usize].cosine.three_sigma();
     numbers.pin("cosine-three-sigma", format!("{uncertain:.4}"));
     numbers.about(
         "How much denser directions are toward a corner of the cube than toward the middle of a face; mean number\n\
@@ -146,10 +150,7 @@ fn frames(numbers: &mut Numbers) {
     );
     let mut random = Stream::new(0, 0, 0);
     let mut normals: Vec<Vec3> = (0..NORMALS).map(|_| sample_uniform_sphere(sample_unit_square(&mut random))).collect();
-    let is_lost = |normal: &&Vec3| {
-        let across = normal.cross(Vec3::X);
-        (across / across.length()).is_nan()
-    };
+    let is_lost = |normal: &&Vec3| naive(**normal).is_nan();
     numbers.pin("frame-normals", grouped(NORMALS));
     numbers.pin("frame-lost-random", normals.iter().filter(is_lost).count());
     let axes = [Vec3::X, Vec3::Y, Vec3::Z].into_iter().flat_map(|axis| [axis, -axis]);

@@ -2,7 +2,7 @@
 
 use common::{
     Rgb, Stream,
-    color::srgb,
+    color::{gradient, srgb},
     float,
     picture::{FilmPoint, Integrator},
     story::Story,
@@ -45,12 +45,5 @@ impl<F: Fn(&Ray) -> u64 + Send + Sync> Integrator for Steps<F> {
 /// From black through violet, red and yellow to white as `share` goes from 0 to 1.
 pub(super) fn heat(share: f32) -> Rgb {
     let colors = [srgb(8, 10, 22), srgb(62, 28, 110), srgb(188, 55, 84), srgb(249, 142, 9), srgb(252, 255, 220)];
-    let mut along = share.clamp(0.0, 1.0) * 4.0;
-    for pair in colors.windows(2) {
-        if along <= 1.0 {
-            return pair[0].lerp(pair[1], along);
-        }
-        along -= 1.0;
-    }
-    colors[4]
+    gradient(&colors, share)
 }

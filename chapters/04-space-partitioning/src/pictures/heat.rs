@@ -1,10 +1,10 @@
 //! Heat maps: each point in a color that says how many steps its ray took.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use common::{
     Error, Interval, Rgb, Stream, Vec2,
-    color::srgb,
+    color::{gradient, srgb},
     drawing::{
         CHALK, Drawing, FAINT, SLATE,
         lettering::{Align, Lettering},
@@ -30,8 +30,10 @@ const NEXT: f32 = 420.0;
 const SCALE: [Vec2; 2] = [Vec2::new(280.0, 386.0), Vec2::new(720.0, 16.0)];
 
 /// The colors from no step at all to the hottest.
-const COLORS: [[u8; 3]; 6] =
-    [[8, 10, 32], [32, 44, 130], [24, 128, 150], [96, 190, 90], [250, 200, 60], [250, 250, 220]];
+static COLORS: LazyLock<[Rgb; 6]> = LazyLock::new(|| {
+    [[8, 10, 32], [32, 44, 130], [24, 128, 150], [96, 190, 90], [250, 200, 60], [250, 250, 220]]
+        .map(|[r, g, b]| srgb(r, g, b))
+});
 
 /// From the coldest color to the hottest, steps grow by this factor, and between the figures under the scale by four.
 const RANGE: f32 = 1024.0;
@@ -48,13 +50,7 @@ fn heat(steps: f32, hottest: f32) -> f32 {
 /// The color of a heat.
 #[must_use]
 fn color(heat: f32) -> Rgb {
-    let place = heat.clamp(0.0, 1.0) * (COLORS.len() - 1) as f32;
-    let [below, above] = [place.floor(), place.ceil()].map(|i| {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 5")]
-        let [r, g, b] = COLORS[i as usize];
-        srgb(r, g, b)
-    });
-    below.lerp(above, place.fract())
+    gradient(&*COLORS, heat)
 }
 // ANCHOR_END: color
 

@@ -34,7 +34,8 @@ pub(super) fn glossy(draw: Draw) -> Verdict {
     ];
     let us = [[0.9, 0.2], [0.6, 0.7], [0.95, 0.5]].map(Vec2::from_array);
     if us.iter().all(|u| draw(Vec3::Y, Vec3::Y, 10.0, *u).is_none()) {
-        let message = "The lobe is right. Now for `sample_glossy`, which returns `None` whatever it is asked.";
+        let message = "The lobe is right. Now for `sample_glossy`, which returns `None` whatever it is asked. If you have written \
+                       it, your lobe points into the surface: `reflect` wants the direction in which light travels, -to_viewer.";
         return Err(Diagnosis::new("glossy-not-started", message));
     }
     views.iter().try_for_each(|view| seen(view, draw))

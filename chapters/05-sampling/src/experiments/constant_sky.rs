@@ -3,7 +3,7 @@
 
 use std::f32::consts::FRAC_1_PI;
 
-use common::{Stream, Vec3};
+use common::{Stream, Vec3, parallel};
 
 use super::Findings;
 use crate::{
@@ -50,7 +50,8 @@ pub struct Measured {
 /// Measure all ways with this many samples each.
 #[must_use]
 pub fn measure(samples: u64, seed: u64) -> Vec<Measured> {
-    let measure = |way: DirectionSampling| {
+    parallel::map(DirectionSampling::ALL.len(), |i| {
+        let way = DirectionSampling::ALL[i];
         let mut random = Stream::new(seed, way as u64, 0);
         let (mut estimate, mut means) = (Estimate::default(), Vec::new());
         let mut next = 1;
@@ -62,8 +63,7 @@ pub fn measure(samples: u64, seed: u64) -> Vec<Measured> {
             }
         }
         Measured { way, estimate, means }
-    };
-    DirectionSampling::ALL.into_iter().map(measure).collect()
+    })
 }
 
 /// Tell of what was measured.

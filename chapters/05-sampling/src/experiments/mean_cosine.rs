@@ -10,7 +10,7 @@ use crate::{
     cosine_hemisphere::sample_cosine_hemisphere,
     estimate::Estimate,
     uniform_hemisphere::{sample_uniform_hemisphere, sample_uniform_hemisphere_by_rejection},
-    uniform_sphere::{point_in_cube, sample_uniform_sphere_by_rejection},
+    uniform_sphere::{point_in_ball, point_in_cube, sample_uniform_sphere_by_rejection},
     unit_square::sample_unit_square,
 };
 
@@ -45,12 +45,7 @@ impl Scheme {
             }
             Self::LiftedDisc => sample_cosine_hemisphere(sample_unit_square(random)),
             Self::NormalPlusUnitVector => (Vec3::Z + sample_uniform_sphere_by_rejection(random)).normalize_or(Vec3::Z),
-            Self::NormalPlusBall => loop {
-                let point = point_in_cube(random);
-                if point.length_squared() <= 1.0 {
-                    break (Vec3::Z + point).normalize_or(Vec3::Z);
-                }
-            },
+            Self::NormalPlusBall => (Vec3::Z + point_in_ball(random)).normalize_or(Vec3::Z),
         }
     }
 

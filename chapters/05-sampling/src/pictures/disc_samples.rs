@@ -2,7 +2,7 @@
 
 use common::{
     Error, Rgb, Stream, Vec2,
-    color::srgb,
+    color::{gradient, srgb},
     drawing::{
         CHALK, Drawing, FAINT, GRID, SLATE,
         lettering::{Align, Lettering},
@@ -98,7 +98,7 @@ fn gathered(place: Vec2) -> Vec2 {
 
 // ANCHOR: rootless
 /// The mistake: the radius is a uniform number itself, and not its root.
-fn rootless(u: Vec2) -> Vec2 {
+pub(crate) fn rootless(u: Vec2) -> Vec2 {
     let angle = std::f32::consts::TAU * u.y;
     Vec2::new(float::cos(angle), float::sin(angle)) * u.x
 }
@@ -171,10 +171,7 @@ fn plot(drawing: &mut Drawing, middle: Vec2) {
 fn color(u: Vec2, cells: f32) -> Rgb {
     let colors = [srgb(112, 76, 196), srgb(66, 132, 226), srgb(46, 184, 172), srgb(150, 206, 92), srgb(250, 206, 78)];
     let [column, row] = [u.x, u.y].map(|u| (u * cells).floor());
-    let at = column / (cells - 1.0).max(1.0) * 4.0;
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 3")]
-    let step = at.clamp(0.0, 3.0) as usize;
-    let hue = colors[step].lerp(colors[step + 1], (at - at.clamp(0.0, 3.0).floor()).clamp(0.0, 1.0));
+    let hue = gradient(&colors, column / (cells - 1.0).max(1.0));
     let is_dark = (column + row) % 2.0 == 0.0;
     if is_dark { hue * 0.66 } else { hue }
 }

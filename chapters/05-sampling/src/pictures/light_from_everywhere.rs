@@ -1,9 +1,11 @@
 //! The cover: what a point of a surface sees.
 
+mod point;
+
 use std::f32::consts::TAU;
 
 use common::{
-    Error, Interval, Rgb, Stream, Vec2, Vec3,
+    Error, Rgb, Stream, Vec2, Vec3,
     drawing::{
         CHALK, Drawing, FAINT, SLATE,
         lettering::{Align, Lettering},
@@ -13,19 +15,17 @@ use common::{
     float,
     knob::{Knob, Step},
     picture::{FilmPoint, Integrator, ORBIT, Picture, Render, Settings},
-    story::{Story, Untold, triple},
+    story::{Story, triple},
 };
-use ray_casting::{camera::Camera, pictures::stage, ray::Ray};
+use ray_casting::{camera::Camera, pictures::stage};
 use shadows::offset::Offset;
 use whitted::{
-    branches::Branch,
     material::Fresnel,
     pictures::treasure,
-    probe::Listener,
     whitted::{Limits, Terms, Whitted},
 };
 
-use crate::cosine_hemisphere::lift;
+use self::point::Point;
 
 /// Where the point is, seen from above.
 const X: Knob = Knob::number("x", "the point, to the right", [-4.0, 4.0], -0.42, "scene units", Step::Add(0.1));
@@ -71,74 +71,6 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let swatches = point.swatches(&scene);
     let [cone, drawing] = drawings(&camera, &point);
     Ok(Box::new(Cover { scene, point, swatches, cone, drawing }))
-}
-
-/// A point of a surface, and the directions of its map.
-struct Point {
-    /// Where rays start.
-    origin: Vec3,
-    /// Right, away from the viewer and out of the surface: unit vectors at right angles.
-    right: Vec3,
-    away: Vec3,
-    normal: Vec3,
-    /// The share of light that the surface scatters.
-    albedo: Rgb,
-}
-
-impl Point {
-    /// The point of the scene that a ray from straight above meets.
-    fn below(scene: &Whitted, x: f32, z: f32) -> Self {
-        let down = Ray::new(Vec3::new(x, 50.0, z), -Vec3::Y);
-        let Some((hit, object)) = scene.scene.intersect(&down, Interval::POSITIVE) else {
-            // Over the sea.
-            return Self {
-                origin: Vec3::new(x, 0.0, z),
-                right: Vec3::X,
-                away: -Vec3::Z,
-                normal: Vec3::Y,
-                albedo: Rgb::ZERO,
-            };
-        };
-        let normal = hit.geometric_normal;
-        // Right stays right as far as the surface allows; on a wall that faces right there is no right.
-        let right = (Vec3::X - normal * normal.x).try_normalize().unwrap_or(Vec3::NEG_Y);
-        let albedo = object.material.rough.map_or(Rgb::ZERO, |rough| rough.ambient);
-        let origin = scene.offset.origin(&hit, normal);
-        Self { origin, right, away: normal.cross(right), normal, albedo }
-    }
-
-    // ANCHOR: map
-    /// The direction that a place of the unit disc stands for: the point of the hemisphere above it.
-    fn direction(&self, place: Vec2) -> Vec3 {
-        let local = lift(place);
-        self.right * local.x + self.away * local.y + self.normal * local.z
-    }
-    // ANCHOR_END: map
-
-    /// The radiance that arrives from there.
-    fn radiance(&self, scene: &Whitted, place: Vec2, story: &mut impl Story) -> Rgb {
-        let ray = Ray::new(self.origin, self.direction(place));
-        scene.trace(Branch::from_camera(ray), 0, &mut Listener(story))
-    }
-
-    // ANCHOR: swatches
-    /// The radiance that the point sends back to everyone, without what comes straight from the lamp: by the ambient
-    /// term of chapter 1, and by summing over the disc.
-    ///
-    /// The disc is the hemisphere seen from above, so a part of it counts as much as its size is: the mean of the disc,
-    /// times the albedo, is what a matte surface sends back.
-    fn swatches(&self, scene: &Whitted) -> [Rgb; 2] {
-        const PER_AXIS: u8 = 96;
-        let at = |cell: u8| (f32::from(cell) + 0.5) / f32::from(PER_AXIS) * 2.0 - 1.0;
-        let places = (0..PER_AXIS).flat_map(|y| (0..PER_AXIS).map(move |x| Vec2::new(at(x), at(y))));
-        let (mut sum, mut count) = (Rgb::ZERO, 0.0);
-        for place in places.filter(|place| place.length_squared() < 1.0) {
-            sum += self.radiance(scene, place, &mut Untold);
-            count += 1.0;
-        }
-        [self.albedo * scene.scene.ambient, self.albedo * sum / count]
-    }
-    // ANCHOR_END: swatches
 }
 
 /// The cone of light that does not lie over the disc, and what is drawn over all.
@@ -212,7 +144,8 @@ impl Integrator for Cover {
     fn radiance(&self, point: FilmPoint, random: &mut Stream, story: &mut impl Story) -> Rgb {
         let place = self.drawing.place(point);
         let on_disc = (place - CENTER) / RADIUS;
-        let below = if on_disc.length_squared() < 1.0 {
+        let is_on_disc = on_disc.length_squared() < 1.0;
+        let below = if is_on_disc {
             self.point.radiance(&self.scene, Vec2::new(on_disc.x, -on_disc.y), story)
         } else if place.cmpge(Vec2::ZERO).all() && place.cmplt(SCENE).all() {
             self.scene.radiance(FilmPoint { position: place, size: SCENE }, random, story)
@@ -220,7 +153,6 @@ impl Integrator for Cover {
             let is_in = |corner: Vec2| place.cmpge(corner).all() && place.cmplt(corner + SWATCH).all();
             SWATCHES.into_iter().zip(self.swatches).find(|(at, _)| is_in(*at)).map_or(SLATE, |(_, color)| color)
         };
-        let is_on_disc = on_disc.length_squared() < 1.0;
         let below = if is_on_disc { below } else { self.cone.over(below, point) };
         let color = self.drawing.over(below, point);
         story.tell(|| format!("with what is drawn over it: {}", triple(color)));
@@ -230,6 +162,9 @@ impl Integrator for Cover {
 
 #[cfg(test)]
 mod tests {
+    use common::Interval;
+    use ray_casting::ray::Ray;
+
     use super::*;
 
     /// The page says that the point of the cover lies in the shade, and that the sum is warmer than the ambient term.

@@ -1,12 +1,12 @@
 //! The pictures of this chapter.
 
 mod convergence;
-mod disc_samples;
+pub(crate) mod disc_samples;
 mod hemisphere_samples;
 mod light_from_everywhere;
 mod palette;
 mod regular_and_random;
-mod tangent_frame;
+pub mod tangent_frame;
 pub mod uniform_against_cosine;
 
 use common::picture::Chapter;

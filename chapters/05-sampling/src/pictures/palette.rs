@@ -1,6 +1,9 @@
 //! The colors of the chapter, the same in all its drawings.
 
-use common::{Rgb, color::srgb};
+use common::{
+    Rgb,
+    color::{gradient, srgb},
+};
 
 /// Regular samples, and uniform directions: blue.
 pub(super) const BLUE: Rgb = Rgb::new(0.15, 0.56, 1.0);
@@ -13,8 +16,6 @@ pub(super) const RED: Rgb = Rgb::new(0.86, 0.09, 0.07);
 
 /// From violet over red and gold to pale yellow, evenly brighter, for a number from 0 to 1.
 pub(super) fn ramp(share: f32) -> Rgb {
-    /// How many steps there are.
-    const STEPS: f32 = 5.0;
     let colors = [
         srgb(50, 46, 112),
         srgb(98, 42, 122),
@@ -23,8 +24,5 @@ pub(super) fn ramp(share: f32) -> Rgb {
         srgb(248, 154, 64),
         srgb(252, 234, 150),
     ];
-    let at = share.clamp(0.0, 1.0) * STEPS;
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 5")]
-    let step = (at as usize).min(colors.len() - 2);
-    colors[step].lerp(colors[step + 1], at - at.floor().min(STEPS - 1.0))
+    gradient(&colors, share)
 }

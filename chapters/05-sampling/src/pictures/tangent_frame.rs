@@ -41,7 +41,8 @@ const MOST: f32 = 100.0;
 // ANCHOR: naive
 /// The tangent by a cross product with a fixed axis. Where the normal lies along that axis, the product is zero, and
 /// zero divided by its own length is not a number.
-fn naive(normal: Vec3) -> Vec3 {
+#[must_use]
+pub fn naive(normal: Vec3) -> Vec3 {
     let across = normal.cross(Vec3::X);
     across / across.length()
 }

@@ -24,6 +24,7 @@ use super::palette::{BLUE, GREEN};
 use crate::{
     estimate::Estimate,
     sky_light::{Choice, SkyLight},
+    unit_square::sample_unit_square,
 };
 
 /// The middle panels have so many samples, those before them one, those behind them the square.
@@ -188,11 +189,7 @@ impl Integrator for Compared {
                     let mut sum = Rgb::ZERO;
                     for sample in 0..samples {
                         // Several samples lie anywhere in the pixel, a lone one in its middle.
-                        let offset = if samples == 1 {
-                            Vec2::ZERO
-                        } else {
-                            crate::unit_square::sample_unit_square(random) - 0.5
-                        };
+                        let offset = if samples == 1 { Vec2::ZERO } else { sample_unit_square(random) - 0.5 };
                         let ray = lit.camera.ray(FilmPoint { position: local + offset * size, size: PANEL });
                         // Only the first is told.
                         sum += if sample == 0 {

@@ -10,7 +10,8 @@ use super::{
 };
 use crate::{
     cosine_hemisphere::lift,
-    uniform_sphere::{point_in_cube, sample_uniform_sphere},
+    pictures::disc_samples::rootless,
+    uniform_sphere::{point_in_ball, point_in_cube, sample_uniform_sphere},
     unit_square::sample_unit_square,
 };
 
@@ -51,12 +52,7 @@ fn wrong_samples() -> Vec<Subject> {
         },
         Subject {
             name: "normal and a point in the ball",
-            draw: |random| loop {
-                let point = point_in_cube(random);
-                if point.length_squared() < 1.0 {
-                    return of_direction((Vec3::Z + point).normalize_or(Vec3::Z));
-                }
-            },
+            draw: |random| of_direction((Vec3::Z + point_in_ball(random)).normalize_or(Vec3::Z)),
             ..cosine
         },
         Subject { name: "uniform for cosine", draw: hemisphere.draw, ..cosine },
@@ -71,8 +67,7 @@ fn wrong_samples() -> Vec<Subject> {
 
 /// What [`crate::disc::sample_uniform_disc_polar`] is without its root.
 fn at_uniform_radius(random: &mut Stream) -> Vec2 {
-    let u = sample_unit_square(random);
-    at(u.x, u)
+    rootless(sample_unit_square(random))
 }
 
 /// Mistakes in the density that is claimed.

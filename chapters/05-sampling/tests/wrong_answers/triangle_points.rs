@@ -118,4 +118,8 @@ fn a_crowded_corner_is_told_in_plain_words() {
     let message = check(Answer { sample_triangle, ..RIGHT }).unwrap_err().to_string();
     assert!(message.contains("times as many points near the corner r1 as there should be"), "{message}");
     assert!(message.contains("A corner gets too many points: did you forget the square root?"), "{message}");
+    let sample_triangle: fn([Vec3; 3], Vec2) -> Vec3 =
+        |corners, u| at(corners, (1.0 - u.x.sqrt()) * u.y, (1.0 - u.x.sqrt()) * (1.0 - u.y));
+    let message = check(Answer { sample_triangle, ..RIGHT }).unwrap_err().to_string();
+    assert!(message.contains("so that α = 1 − √u.x"), "{message}");
 }

@@ -12,10 +12,12 @@ pub mod drawing;
 pub mod error;
 pub mod exercise;
 pub mod film;
+pub mod fingerprint;
 pub mod float;
 pub mod interval;
 pub mod knob;
 pub mod obj;
+pub mod origin;
 #[cfg(feature = "cli")]
 pub mod output;
 pub mod parallel;
@@ -23,6 +25,8 @@ pub mod picture;
 pub mod random;
 pub mod renderer;
 pub mod report;
+#[cfg(feature = "cli")]
+pub mod state;
 pub mod story;
 #[cfg(feature = "window")]
 pub mod window;

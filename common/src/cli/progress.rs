@@ -33,7 +33,7 @@ impl Bar {
 }
 
 impl Watch for Bar {
-    fn tile_done(&self, tile: &Tile, samples: u32) {
-        self.0.inc(tile.pixels.len() as u64 * u64::from(samples));
+    fn tile_done(&self, _tile: &Tile, samples: u64) {
+        self.0.inc(samples);
     }
 }

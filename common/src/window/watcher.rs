@@ -64,7 +64,7 @@ impl<'a> Watcher<'a> {
 }
 
 impl Watch for Watcher<'_> {
-    fn tile_done(&self, tile: &Tile, _samples: u32) {
+    fn tile_done(&self, tile: &Tile, _samples: u64) {
         let developed = self.developed(tile);
         // A tile that was abandoned shows nothing true.
         if !self.mailbox.is_overtaken(self.progress) {

@@ -10,6 +10,7 @@ pub mod cli;
 pub mod color;
 pub mod drawing;
 pub mod error;
+pub mod error_goal;
 pub mod exercise;
 pub mod film;
 pub mod fingerprint;

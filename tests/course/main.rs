@@ -10,6 +10,7 @@ mod command_line;
 mod degenerate;
 mod exact;
 mod fresnel;
+mod going_on;
 mod growth;
 mod house;
 mod icosphere;

@@ -75,8 +75,8 @@ fn perform(chapter: &Chapter, request: &Request) -> Result<(), Error> {
     if let Some(pixel) = request.pixel {
         return output::write_to_stdout(story(picture.as_ref(), request, pixel).as_bytes());
     }
-    let target = Target::prepare(chapter, request)?;
     let mut start = Some(Start::prepare(chapter, request, picture.as_ref())?);
+    let target = Target::prepare(chapter, request)?;
     interrupt::listen();
     #[cfg(feature = "window")]
     if request.window {

@@ -146,6 +146,27 @@ fn the_error_ends_it_at_the_same_number_of_samples() {
     assert!(samples == 9 && said.contains("not yet small enough"), "{said}");
 }
 
+/// A limit on the size of files ends the write in the middle, as a full disk does. The picture is small enough.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_write_that_ends_in_the_middle_leaves_the_old_state_whole() {
+    let folder = TempDir::new().unwrap();
+    let folder = folder.path();
+    well(folder, "--samples 2 --save-state a.state --output a.png");
+    let old = fs::read(folder.join("a.state")).unwrap();
+    let program = env!("CARGO_BIN_EXE_chapter");
+    let line = format!(
+        "trap '' XFSZ; ulimit -f 16; exec '{program}' ray-casting still-life --no-window --size 33x18 --samples 9 \
+         --resume a.state --save-state a.state --output b.png"
+    );
+    let output = Command::new("sh").args(["-c", &line]).current_dir(folder).output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("cannot write a.state") && said.contains("Wrote b.png"), "{said}");
+    assert_eq!(fs::read(folder.join("a.state")).unwrap(), old);
+    assert_eq!(fs::read_dir(folder).unwrap().count(), 3);
+}
+
 /// Whether a program catches SIGINT, as the system sees it.
 #[cfg(target_os = "linux")]
 fn catches_ctrl_c(process: u32) -> bool {

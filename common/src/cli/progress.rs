@@ -13,7 +13,7 @@ use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use super::{Request, interrupt};
 use crate::{
     error_goal::{ErrorGoal, percent},
-    film::{Film, Tile},
+    film::{Film, Pixel, Tile},
     renderer::Watch,
 };
 
@@ -35,8 +35,11 @@ impl Progress {
 
     /// Progress from a film to so many samples per pixel.
     pub(crate) fn new(request: &Request, film: &Film, samples: u32) -> Self {
-        let missing = |pixel: &crate::film::Pixel| u64::from(samples.saturating_sub(pixel.count()));
-        let missing = film.tiles().iter().flat_map(|tile| &tile.pixels).map(missing).sum();
+        // An empty film need not be looked through.
+        let goes_on = request.resume.is_some();
+        let has = |pixel: &Pixel| u64::from(pixel.count().min(samples));
+        let has: u64 = if goes_on { film.tiles().iter().flat_map(|tile| &tile.pixels).map(has).sum() } else { 0 };
+        let missing = film.size().pixels() as u64 * u64::from(samples) - has;
         let bar = if request.quiet { ProgressBar::hidden() } else { ProgressBar::new(missing) };
         let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {rate}  {eta} left  {msg}");
         if let Ok(style) = style {
@@ -48,7 +51,7 @@ impl Progress {
         if !request.quiet {
             bar.enable_steady_tick(Duration::from_millis(200));
         }
-        let whole = AtomicBool::new(film.counts().0 > 0);
+        let whole = AtomicBool::new(goes_on && film.counts().0 > 0);
         Self { bar, goal: request.until_error, samples, whole, asked: OnceLock::new() }
     }
 

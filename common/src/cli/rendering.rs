@@ -47,7 +47,7 @@ pub(super) fn run(
 
 /// What error there is in the end, with `--until-error`.
 fn error_told(goal: ErrorGoal, film: &Film) -> String {
-    let has = target::samples(film);
+    let has = target::samples(film.counts());
     let Some(error) = film.relative_error() else {
         return format!("A black picture does not know its error ({has} samples per pixel).");
     };
@@ -57,7 +57,7 @@ fn error_told(goal: ErrorGoal, film: &Film) -> String {
 
 /// What there is after Ctrl-C, and how to go on.
 fn interrupted(request: &Request, film: &Film, samples: u32) -> String {
-    let has = target::samples(film);
+    let has = target::samples(film.counts());
     match &request.save_state {
         Some(path) => format!(
             "Interrupted with {has} of {samples} samples per pixel; the same command with --resume {} goes on.",

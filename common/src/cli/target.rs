@@ -39,7 +39,8 @@ impl Target {
         if bad > 0 {
             say(&format!("warning: {bad} samples were not a number or infinite; they are left out of the picture"));
         }
-        if film.counts().0 == 0 {
+        let counts = film.counts();
+        if counts.0 == 0 {
             say("warning: not every pixel had a sample yet; those without are black");
         }
         match self {
@@ -51,7 +52,7 @@ impl Target {
                     "Wrote {} ({}, {} per pixel{time}).",
                     path.display(),
                     dimensions(film.size()),
-                    samples(film)
+                    samples(counts)
                 ));
                 Ok(())
             }
@@ -59,12 +60,9 @@ impl Target {
     }
 }
 
-/// How many samples the pixels of a film have.
-pub(super) fn samples(film: &Film) -> String {
-    match film.counts() {
-        (least, most) if least == most => least.to_string(),
-        (least, most) => format!("{least} to {most}"),
-    }
+/// The least and the greatest number of samples of a film in words.
+pub(super) fn samples((least, most): (u32, u32)) -> String {
+    if least == most { least.to_string() } else { format!("{least} to {most}") }
 }
 
 fn dimensions(size: Size) -> String {

@@ -42,6 +42,14 @@ pub enum Error {
     /// An output file whose name does not say what it is.
     #[error("cannot tell what kind of file '{}' should be: the name must end in .png or .exr", .0.display())]
     Extension(PathBuf),
+    /// A file that a rendering cannot go on from.
+    #[error("cannot go on from {file}: {reason}")]
+    State {
+        /// The file as the user named it.
+        file: String,
+        /// What is wrong with it.
+        reason: String,
+    },
     /// An output that could not be written.
     #[error("cannot write {name}: {reason}")]
     Write {

@@ -131,6 +131,22 @@ impl Pixel {
     pub fn count(&self) -> u32 {
         self.count
     }
+
+    /// All that the pixel knows, to be stored: sums of the channels and of their squares, number of samples, and how
+    /// many of those were bad.
+    #[must_use]
+    pub fn to_parts(&self) -> ([f64; 6], [u32; 2]) {
+        let ([r, g, b], [rr, gg, bb]) = (self.sum.to_array(), self.sum_of_squares.to_array());
+        ([r, g, b, rr, gg, bb], [self.count, self.bad])
+    }
+
+    /// The pixel that [`Pixel::to_parts`] took apart; `None` if no samples could have made it.
+    #[must_use]
+    pub fn from_parts([r, g, b, rr, gg, bb]: [f64; 6], [count, bad]: [u32; 2]) -> Option<Self> {
+        let (sum, sum_of_squares) = (DVec3::new(r, g, b), DVec3::new(rr, gg, bb));
+        let is_possible = bad <= count && sum.is_finite() && sum_of_squares.is_finite();
+        is_possible.then_some(Self { sum, sum_of_squares, count, bad })
+    }
 }
 
 /// A small rectangle of the film, the piece of work that one core takes at a time.
@@ -209,6 +225,13 @@ impl Film {
         let per_row = self.size.width.div_ceil(Tile::SIDE);
         let tile = &self.tiles[(y / Tile::SIDE * per_row + x / Tile::SIDE) as usize];
         tile.pixels.get(((y - tile.top) * tile.width + x - tile.left) as usize)
+    }
+
+    /// The least and the greatest number of samples that a pixel has. They differ when a rendering was interrupted.
+    #[must_use]
+    pub fn counts(&self) -> (u32, u32) {
+        let counts = self.tiles.iter().flat_map(|t| &t.pixels).map(Pixel::count);
+        counts.fold((u32::MAX, 0), |(least, most), count| (least.min(count), most.max(count)))
     }
 
     /// How many samples were NaN or infinite. They are left out of the picture, and reported.
@@ -318,6 +341,18 @@ mod tests {
         assert_eq!(film.bad_samples(), 2);
         assert_eq!(film.linear(), [Rgb::ONE]);
         assert_eq!(film.pixel(0, 0).map(Pixel::count), Some(4));
+    }
+
+    #[test]
+    fn a_pixel_can_be_taken_apart_and_put_together() {
+        let mut pixel = Pixel::default();
+        for sample in [Rgb::new(0.1, 2.0, -3.0), Rgb::NAN, Rgb::splat(1e30)] {
+            pixel.add(sample);
+        }
+        let (sums, counts) = pixel.to_parts();
+        assert_eq!((Pixel::from_parts(sums, counts), counts), (Some(pixel), [3, 1]));
+        assert_eq!(Pixel::from_parts(sums, [1, 2]), None);
+        assert_eq!(Pixel::from_parts([0.0, 0.0, f64::NAN, 0.0, 0.0, 0.0], [1, 0]), None);
     }
 
     #[test]

@@ -10,12 +10,15 @@ pub mod cli;
 pub mod color;
 pub mod drawing;
 pub mod error;
+pub mod error_goal;
 pub mod exercise;
 pub mod film;
+pub mod fingerprint;
 pub mod float;
 pub mod interval;
 pub mod knob;
 pub mod obj;
+pub mod origin;
 #[cfg(feature = "cli")]
 pub mod output;
 pub mod parallel;
@@ -23,6 +26,8 @@ pub mod picture;
 pub mod random;
 pub mod renderer;
 pub mod report;
+#[cfg(feature = "cli")]
+pub mod state;
 pub mod story;
 #[cfg(feature = "window")]
 pub mod window;

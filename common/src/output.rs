@@ -71,13 +71,21 @@ pub fn encode(film: &Film, format: Format, exposure: f32) -> Result<Vec<u8>, Err
 /// [`Error::Extension`] for an unknown kind of file, [`Error::Write`] for a folder or a place without permission.
 pub fn check_writable(path: &Path) -> Result<Format, Error> {
     let format = Format::of(path)?;
+    check_place(path)?;
+    Ok(format)
+}
+
+/// Refuse a place where no file can be written, whatever its kind.
+///
+/// # Errors
+/// [`Error::Write`] for a folder or a place without permission.
+pub fn check_place(path: &Path) -> Result<(), Error> {
     if path.is_dir() {
         return Err(failed(path, "it is a folder"));
     }
-    // Create the neighbor that the picture will be written to, and take it away again.
+    // Create the neighbor that the file will be written to, and take it away again.
     let neighbor = neighbor(path)?;
-    File::create(&neighbor).and_then(|_| fs::remove_file(&neighbor)).map_err(|e| failed(path, reason(&e)))?;
-    Ok(format)
+    File::create(&neighbor).and_then(|_| fs::remove_file(&neighbor)).map_err(|e| failed(path, reason(&e)))
 }
 
 /// Refuse a folder in which nothing can be written before any work is done for it. It is made if need be.
@@ -100,10 +108,18 @@ pub fn check_folder(folder: &Path) -> Result<(), Error> {
 /// # Errors
 /// [`Error::Write`] with the reason that the system gives.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    write_by(path, |file| file.write_all(bytes))
+}
+
+/// The same for what is written piece by piece.
+///
+/// # Errors
+/// [`Error::Write`] with the reason that the system gives.
+pub fn write_by(path: &Path, put: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> Result<(), Error> {
     let neighbor = neighbor(path)?;
     let written = (|| {
         let mut file = BufWriter::new(File::create(&neighbor)?);
-        file.write_all(bytes)?;
+        put(&mut file)?;
         file.flush()?;
         drop(file);
         fs::rename(&neighbor, path)

@@ -22,16 +22,27 @@ pub struct Plan {
     pub threads: usize,
 }
 
+impl Plan {
+    /// Greatest number of samples per pixel.
+    pub const MAX_SAMPLES: u32 = 100_000_000;
+}
+
 /// Somebody who watches a rendering and may end it.
 pub trait Watch: Sync {
-    /// A tile has received `samples` more samples per pixel.
-    fn tile_done(&self, _tile: &Tile, _samples: u32) {}
+    /// A tile has received `samples` more samples, those of all its pixels together.
+    fn tile_done(&self, _tile: &Tile, _samples: u64) {}
 
     /// A pass over the whole film is done; every pixel now has `samples` samples.
     fn pass_done(&self, _film: &Film, _samples: u32) {}
 
-    /// Asked before each tile: whether to stop.
+    /// Asked before each pixel: whether to stop.
     fn is_cancelled(&self) -> bool {
+        false
+    }
+
+    /// Asked when every pixel has `samples` samples, at numbers of samples that are always the same: whether that is
+    /// enough. An answer that depends on the film alone depends neither on threads nor on earlier interruptions.
+    fn is_enough(&self, _film: &Film, _samples: u32) -> bool {
         false
     }
 }
@@ -44,12 +55,15 @@ impl Watch for () {}
 pub enum Ending {
     /// Every pixel has all its samples.
     Finished,
-    /// The watcher ended it; the film is whole but not every pixel has all samples.
+    /// The watcher found the film good enough: every pixel has the same number of samples.
+    Enough,
+    /// The watcher ended it at once. Some pixels may have more samples than others, and the mean of each is right.
     Cancelled,
 }
 
 /// Add samples to `film` until every pixel has `plan.samples`, in passes of growing size, so that a first rough
-/// picture is there soon. Samples that the film already has are kept.
+/// picture is there soon. Samples that the film already has are kept, also when some pixels have more than others:
+/// what was interrupted and goes on ends in the same bits as what was not.
 ///
 /// The result depends on the picture, the size, the samples and the seed; not on the threads.
 pub fn render(picture: &dyn Render, film: &mut Film, plan: &Plan, watch: &dyn Watch) -> Ending {
@@ -58,16 +72,19 @@ pub fn render(picture: &dyn Render, film: &mut Film, plan: &Plan, watch: &dyn Wa
 
 /// Pass after pass over the whole film.
 fn passes(picture: &dyn Render, film: &mut Film, plan: &Plan, watch: &dyn Watch) -> Ending {
-    const LARGEST_PASS: u32 = 16;
-    let mut done = film.tiles().iter().flat_map(|t| &t.pixels).map(|p| p.count()).min().unwrap_or(0);
+    let (mut done, most) = film.counts();
+    // A film that stands where a pass ends is asked about as it was then.
+    let mut is_at_end_of_pass = done == most && done > 0 && pass_end(done - 1) == done;
     while done < plan.samples {
-        let pass = done.clamp(1, LARGEST_PASS).min(plan.samples - done);
-        done += pass;
+        if is_at_end_of_pass && watch.is_enough(film, done) {
+            return Ending::Enough;
+        }
+        let until = pass_end(done).min(plan.samples);
         let size = film.size();
         let fill = |tile: &mut Tile| {
-            if !watch.is_cancelled() {
-                fill_tile(picture, tile, size, plan, done);
-                watch.tile_done(tile, pass);
+            let added = add_samples(picture, tile, size, plan, until, watch);
+            if added > 0 {
+                watch.tile_done(tile, added);
             }
         };
         #[cfg(feature = "threads")]
@@ -80,20 +97,40 @@ fn passes(picture: &dyn Render, film: &mut Film, plan: &Plan, watch: &dyn Watch)
         if watch.is_cancelled() {
             return Ending::Cancelled;
         }
+        done = until;
+        is_at_end_of_pass = true;
         watch.pass_done(film, done);
     }
     Ending::Finished
 }
 
+/// How many samples per pixel there are at the end of the pass that begins with `done`: 1, 2, 4, 8, 16, 32, 48, …,
+/// whatever number the film came with.
+fn pass_end(done: u32) -> u32 {
+    const LARGEST_PASS: u32 = 16;
+    if done < LARGEST_PASS { (done + 1).next_power_of_two() } else { (done / LARGEST_PASS + 1) * LARGEST_PASS }
+}
+
 /// Add samples to the pixels of one tile until each has `until`: a piece of [`render`] for those who divide the work
 /// themselves. The result is the same whoever renders which tile, in whatever order.
 pub fn fill_tile(picture: &dyn Render, tile: &mut Tile, size: Size, plan: &Plan, until: u32) {
+    add_samples(picture, tile, size, plan, until, &());
+}
+
+/// The same for those who may want to stop at any pixel; the number of samples added.
+fn add_samples(picture: &dyn Render, tile: &mut Tile, size: Size, plan: &Plan, until: u32, watch: &dyn Watch) -> u64 {
+    let mut added = 0;
     for (x, y, pixel) in tile.pixels_mut() {
+        if watch.is_cancelled() {
+            break;
+        }
+        added += u64::from(until.saturating_sub(pixel.count()));
         for sample in pixel.count()..until {
             let (point, mut random) = film_point((x, y), size, plan, sample);
             pixel.add(picture.sample(point, &mut random));
         }
     }
+    added
 }
 
 // ANCHOR: film_point
@@ -166,6 +203,68 @@ mod tests {
         assert_eq!(film.linear(), rendered(&PLAN));
     }
 
+    /// Cancelled after so many pixels, again and again, and with another number of threads each time.
+    #[test]
+    fn interruptions_do_not_change_the_picture() {
+        struct After(AtomicU32, u32);
+        impl Watch for After {
+            fn is_cancelled(&self) -> bool {
+                self.0.fetch_add(1, Ordering::Relaxed) >= self.1
+            }
+        }
+        for pixels in [1, 700, 1849, 3001] {
+            let (mut film, mut runs, mut uneven) = (Film::new(SIZE), 0, 0);
+            loop {
+                let plan = Plan { threads: 1 + runs % 2, ..PLAN };
+                let ending = render(&Noise, &mut film, &plan, &After(AtomicU32::new(0), pixels));
+                let (least, most) = film.counts();
+                (runs, uneven) = (runs + 1, uneven + u32::from(least < most));
+                if least == PLAN.samples {
+                    break;
+                }
+                assert_eq!(ending, Ending::Cancelled);
+                // Few pixels at a time take long to go through; the rest is done at once.
+                if runs > 20 {
+                    assert_eq!(render(&Noise, &mut film, &PLAN, &()), Ending::Finished);
+                    break;
+                }
+            }
+            assert!(runs > 1 && uneven > 0, "{pixels}: {runs} runs, {uneven} uneven");
+            assert_eq!(film.linear(), rendered(&PLAN), "{pixels}");
+        }
+    }
+
+    /// Asked at the same numbers of samples, wherever it was interrupted before.
+    #[test]
+    fn enough_is_asked_at_fixed_numbers_of_samples() {
+        #[derive(Default)]
+        struct Asked(std::sync::Mutex<Vec<u32>>, u32);
+        impl Watch for Asked {
+            fn is_enough(&self, film: &Film, samples: u32) -> bool {
+                assert_eq!(film.counts(), (samples, samples));
+                self.0.lock().unwrap().push(samples);
+                samples == self.1
+            }
+        }
+        let plan = Plan { samples: 100, ..PLAN };
+        for (begun, expected) in [
+            (0, &[1, 2, 4, 8, 16, 32, 48][..]),
+            (1, &[1, 2, 4, 8, 16, 32, 48]),
+            (7, &[8, 16, 32, 48]),
+            (16, &[16, 32, 48]),
+            (20, &[32, 48]),
+            (48, &[48]),
+        ] {
+            let mut film = Film::new(SIZE);
+            if begun > 0 {
+                render(&Noise, &mut film, &Plan { samples: begun, ..PLAN }, &());
+            }
+            let watch = Asked(Default::default(), 48);
+            assert_eq!(render(&Noise, &mut film, &plan, &watch), Ending::Enough);
+            assert_eq!(watch.0.into_inner().unwrap(), expected, "{begun}");
+        }
+    }
+
     #[test]
     fn one_sample_is_in_the_center_and_many_average_to_it() {
         let one = rendered(&Plan { samples: 1, ..PLAN });
@@ -194,7 +293,7 @@ mod tests {
             stop_after: u32,
         }
         impl Watch for Counter {
-            fn tile_done(&self, _tile: &Tile, _samples: u32) {
+            fn tile_done(&self, _tile: &Tile, _samples: u64) {
                 self.tiles.fetch_add(1, Ordering::Relaxed);
             }
             fn pass_done(&self, _film: &Film, _samples: u32) {

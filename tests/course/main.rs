@@ -11,6 +11,7 @@ mod degenerate;
 mod exact;
 mod experiments;
 mod fresnel;
+mod going_on;
 mod growth;
 mod house;
 mod icosphere;

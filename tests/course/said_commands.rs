@@ -68,7 +68,8 @@ fn quick(words: &[String]) -> Vec<String> {
         match word.as_str() {
             // A pixel belongs to a size.
             "--size" if asks_a_pixel => arguments.push(word.clone()),
-            "--size" | "--samples" | "--output" => drop(rest.next()),
+            // A lone sample has no error, and nobody needs its state.
+            "--size" | "--samples" | "--output" | "--until-error" | "--save-state" | "--resume" => drop(rest.next()),
             "--no-window" => {}
             "your.obj" => arguments.push("assets/gem.obj".into()),
             _ => arguments.push(word.clone()),

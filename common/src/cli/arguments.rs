@@ -5,11 +5,13 @@ use std::{ffi::OsString, path::PathBuf};
 use clap::ArgMatches;
 
 use super::{
-    options::command,
+    options::{UNTIL_ERROR_SAMPLES, command},
     reports::{self, Inquiry},
+    start,
 };
 use crate::{
     error::Error,
+    error_goal::ErrorGoal,
     film::Size,
     knob::{Knob, Values},
     obj,
@@ -36,6 +38,14 @@ pub struct Request {
     pub size: Size,
     /// How many samples, which seed, how many threads.
     pub plan: Plan,
+    /// How many samples per pixel, if that was said.
+    pub samples: Option<u32>,
+    /// The error that is small enough to end, if one is.
+    pub until_error: Option<ErrorGoal>,
+    /// The file to store the rendering in, so that it can go on.
+    pub save_state: Option<PathBuf>,
+    /// The file with the rendering that goes on.
+    pub resume: Option<PathBuf>,
     /// How much brighter, in stops.
     pub exposure: f32,
     /// Where it goes.
@@ -132,12 +142,22 @@ fn understand(chapter: &Chapter, matches: &ArgMatches) -> Result<Request, Stop> 
         Some(path) if path.as_os_str() == "-" => Output::Stdout,
         Some(path) => Output::File(path.clone()),
     };
+    let samples = matches.get_one("samples").copied();
+    let until_error = matches.get_one::<ErrorGoal>("until-error").copied();
+    let [save_state, resume] = start::files(matches)?;
+    if until_error.is_some() && samples == Some(1) {
+        return Err(Stop::Wrong("a lone sample has no error: --until-error needs --samples 2 or more".into()));
+    }
     Ok(Request {
         picture,
         settings,
         size,
+        samples,
+        until_error,
+        save_state,
+        resume,
         plan: Plan {
-            samples: matches.get_one("samples").copied().unwrap_or(picture.samples),
+            samples: samples.unwrap_or(if until_error.is_some() { UNTIL_ERROR_SAMPLES } else { picture.samples }),
             seed: matches.get_one("seed").copied().unwrap_or_default(),
             threads: matches.get_one("threads").copied().unwrap_or_default(),
         },

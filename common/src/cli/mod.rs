@@ -1,25 +1,24 @@
 //! The command line, the same in every chapter.
 
 mod arguments;
+pub(crate) mod interrupt;
 mod options;
 mod progress;
+mod rendering;
 mod reports;
+pub(crate) mod start;
+mod target;
 
-use std::{
-    ffi::OsString,
-    io::Write as _,
-    path::{Path, PathBuf},
-    process::ExitCode,
-    time::{Duration, Instant},
-};
+use std::{ffi::OsString, io::Write as _, process::ExitCode};
 
 pub use arguments::{Output, Request};
+pub(crate) use target::Target;
 
+use self::start::Start;
 use crate::{
     error::Error,
-    film::{Film, Size},
     knob::Knob,
-    output::{self, Format},
+    output,
     picture::{Chapter, Picture, Render},
     renderer,
     report::Report,
@@ -76,10 +75,12 @@ fn perform(chapter: &Chapter, request: &Request) -> Result<(), Error> {
     if let Some(pixel) = request.pixel {
         return output::write_to_stdout(story(picture.as_ref(), request, pixel).as_bytes());
     }
+    let mut start = Some(Start::prepare(chapter, request, picture.as_ref())?);
     let target = Target::prepare(chapter, request)?;
+    interrupt::listen();
     #[cfg(feature = "window")]
     if request.window {
-        match crate::window::show(chapter, request, picture.as_ref()) {
+        match crate::window::show(chapter, request, picture.as_ref(), &mut start) {
             Ok(()) => return Ok(()),
             Err(crate::window::Failed::Picture(error)) => return Err(error),
             Err(crate::window::Failed::NoDisplay) => {
@@ -87,12 +88,10 @@ fn perform(chapter: &Chapter, request: &Request) -> Result<(), Error> {
             }
         }
     }
-    let mut film = Film::new(request.size);
-    let start = Instant::now();
-    let watch = progress::Bar::new(request);
-    renderer::render(picture.as_ref(), &mut film, &request.plan, &watch);
-    watch.finish();
-    target.save(&film, request, Some(start.elapsed()))
+    match start.take() {
+        Some(start) => rendering::run(chapter, request, picture.as_ref(), start, &target),
+        None => Ok(()),
+    }
 }
 
 /// The pictures and the reports of a chapter with their knobs, for `--list`.
@@ -156,58 +155,22 @@ fn story(picture: &dyn Render, request: &Request, (x, y): (u32, u32)) -> String 
     text
 }
 
-/// Where the picture goes, known to be writable before work begins.
-pub(crate) enum Target {
-    /// The bytes of a PNG go to standard output.
-    Stdout,
-    /// A file in one of the formats.
-    File(PathBuf, Format),
-}
-
-impl Target {
-    /// The place that the request asks for.
-    pub(crate) fn prepare(chapter: &Chapter, request: &Request) -> Result<Self, Error> {
-        let path = match &request.output {
-            Output::Stdout => return Ok(Self::Stdout),
-            Output::File(path) => path.clone(),
-            Output::Default => Path::new("pictures").join(chapter.name).join(format!("{}.png", request.picture.name)),
-        };
-        let format = output::check_writable(&path)?;
-        Ok(Self::File(path, format))
-    }
-
-    /// Store the picture and say so, with the time it took if that is known.
-    pub(crate) fn save(&self, film: &Film, request: &Request, time: Option<Duration>) -> Result<(), Error> {
-        let bad = film.bad_samples();
-        if bad > 0 {
-            say(&format!("warning: {bad} samples were not a number or infinite; they are left out of the picture"));
-        }
-        match self {
-            Self::Stdout => output::write_to_stdout(&output::encode(film, Format::Png, request.exposure)?),
-            Self::File(path, format) => {
-                output::write(path, &output::encode(film, *format, request.exposure)?)?;
-                let samples = film.pixel(0, 0).map_or(0, |p| p.count());
-                let time = time.map(|t| format!(", {:.2} s", t.as_secs_f64())).unwrap_or_default();
-                request.note(&format!(
-                    "Wrote {} ({}, {samples} per pixel{time}).",
-                    path.display(),
-                    dimensions(film.size())
-                ));
-                Ok(())
-            }
-        }
-    }
-}
-
 impl Request {
+    /// Samples per pixel of a picture in a window: unless a number was said, it refines until the window is closed. A
+    /// picture that takes a lone sample keeps it, in the center of the pixel.
+    #[cfg(feature = "window")]
+    pub(crate) fn samples_in_window(&self, picture: &Picture) -> u32 {
+        match self.samples {
+            Some(samples) if picture.name == self.picture.name => samples,
+            _ if picture.samples == 1 && self.until_error.is_none() => 1,
+            _ => renderer::Plan::MAX_SAMPLES,
+        }
+    }
+
     /// A line for people, unless they asked for silence.
     pub(crate) fn note(&self, line: &str) {
         if !self.quiet {
             say(line);
         }
     }
-}
-
-fn dimensions(size: Size) -> String {
-    format!("{}×{} pixels", size.width(), size.height())
 }

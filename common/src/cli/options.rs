@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Arg, ArgAction, Command, builder::ValueParser, value_parser};
 
-use crate::{film::Size, picture::Chapter, report::Report};
+use crate::{error_goal::ErrorGoal, film::Size, picture::Chapter, renderer::Plan, report::Report};
 
 /// The options that every chapter has.
 pub(super) fn command(chapter: &Chapter) -> Command {
@@ -25,7 +25,9 @@ pub(super) fn command(chapter: &Chapter) -> Command {
              {name} {first} --size 1920x1080 --samples 64 --output poster.png\n  \
              {name} {first} --set yaw=40 --set pitch=10\n  \
              {name} {first} --pixel 300,200 --samples 1    why this pixel has its color\n  \
-             {name} {first} --output - --no-window | other-program"
+             {name} {first} --output - --no-window | other-program\n  \
+             {name} {first} --no-window --samples 1000000 --save-state big.state      Ctrl-C ends it well\n  \
+             {name} {first} --no-window --resume big.state --save-state big.state     and this goes on"
         ))
         .arg(Arg::new("picture").value_name("PICTURE").help("Which picture; the chapter's cover if none is named"))
         .arg(flag("list", "List the pictures and reports with their knobs"))
@@ -42,6 +44,9 @@ pub(super) fn command(chapter: &Chapter) -> Command {
         .arg(option("mesh", "FILE", value_parser!(PathBuf), "Take the mesh in this OBJ file"))
         .arg(option("size", "WxH", ValueParser::new(size), "Width and height in pixels"))
         .arg(option("samples", "N", ValueParser::new(samples), "Samples per pixel, 1 to 100 million"))
+        .arg(option("until-error", "PERCENT", ValueParser::new(until_error), UNTIL_ERROR))
+        .arg(option("save-state", "FILE", value_parser!(PathBuf), "Store the rendering too, so that it can go on"))
+        .arg(option("resume", "FILE", value_parser!(PathBuf), "Go on from there, up to --samples N in all"))
         .arg(option("seed", "N", value_parser!(u64).into(), "Seed of the random numbers [default: 0]"))
         .arg(option("threads", "N", ValueParser::new(threads), "Threads, 1 to 1024 [default: one a core]"))
         .arg(option("exposure", "STOPS", ValueParser::new(exposure), "Brighten by a factor of 2^STOPS, -20 to 20"))
@@ -50,6 +55,11 @@ pub(super) fn command(chapter: &Chapter) -> Command {
         .arg(option("pixel", "X,Y", ValueParser::new(pixel), "Tell how this pixel got its color, instead of rendering"))
         .arg(flag("quiet", "Tell nothing but errors"))
 }
+
+/// Samples per pixel at most with `--until-error`, when nothing is said.
+pub(super) const UNTIL_ERROR_SAMPLES: u32 = 1_000_000;
+const UNTIL_ERROR: &str = "Add samples until the picture's own error is this small, like 1%, or there are --samples N \
+                           [default then: 1 million]";
 
 /// What can be named with `--output`.
 fn output(chapter: &Chapter) -> &'static str {
@@ -83,7 +93,11 @@ fn pixel(text: &str) -> Result<(u32, u32), String> {
 }
 
 fn samples(text: &str) -> Result<u32, String> {
-    within(text, 1..=100_000_000, "expected a whole number from 1 to 100000000")
+    within(text, 1..=Plan::MAX_SAMPLES, "expected a whole number from 1 to 100000000")
+}
+
+fn until_error(text: &str) -> Result<ErrorGoal, String> {
+    text.parse()
 }
 
 fn threads(text: &str) -> Result<usize, String> {

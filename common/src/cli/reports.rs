@@ -27,10 +27,13 @@ pub(crate) struct Inquiry {
 }
 
 /// Arguments that mean nothing to a report, and what to call them.
-const FOR_PICTURES: [(&str, &str); 6] = [
+const FOR_PICTURES: [(&str, &str); 9] = [
     ("list", "--list"),
     ("size", "--size"),
     ("samples", "--samples"),
+    ("until-error", "--until-error"),
+    ("save-state", "--save-state"),
+    ("resume", "--resume"),
     ("exposure", "--exposure"),
     ("pixel", "--pixel"),
     ("picture", ""),
@@ -175,6 +178,9 @@ mod tests {
             ("--plain --about one", "--plain and --about are two reports"),
             ("--plain ball", "leave out 'ball'"),
             ("--plain --size 4x3", "leave out '--size'"),
+            ("--plain --until-error 1%", "leave out '--until-error'"),
+            ("--plain --save-state x", "leave out '--save-state'"),
+            ("--resume x --plain", "leave out '--resume'"),
             ("--list --plain", "leave out '--list'"),
             ("--plain --output x", "report 'plain' has no files to give; leave out '--output'"),
             ("--about one --output -", "--output takes a folder"),

@@ -157,9 +157,8 @@ impl<'a> Session<'a> {
     fn order(&self) {
         let Controls { picture, values, .. } = &self.controls;
         let is_first = picture.name == self.request.picture.name;
-        let (size, samples) =
-            if is_first { (self.request.size, self.request.plan.samples) } else { (picture.size, picture.samples) };
-        let size = self.resized.unwrap_or(size);
+        let size = self.resized.unwrap_or(if is_first { self.request.size } else { picture.size });
+        let samples = self.request.samples_in_window(picture);
         self.mailbox.post(|orders| orders.view = Some(View { picture, values: values.clone(), size, samples }));
     }
 

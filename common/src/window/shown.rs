@@ -1,7 +1,7 @@
 //! What the worker has to show, for the window to pick up.
 
 use super::{overlay::Line, raster::Raster};
-use crate::film::Size;
+use crate::{film::Size, renderer::Plan};
 
 /// The picture as far as it is, and what is known of it.
 #[derive(Debug)]
@@ -38,7 +38,9 @@ impl Shown {
     /// The title of the window.
     pub(crate) fn title(&self, chapter: &str, picture: &str) -> String {
         let error = self.error.map(|error| format!(" · error {:.1} %", error * 100.0)).unwrap_or_default();
-        format!("{chapter} · {picture} · {}/{} samples{error}", self.samples, self.total)
+        // Without a number that was asked for it goes on and on.
+        let total = if self.total == Plan::MAX_SAMPLES { String::new() } else { format!("/{}", self.total) };
+        format!("{chapter} · {picture} · {}{total} samples{error}", self.samples)
     }
 }
 
@@ -52,6 +54,8 @@ mod tests {
         assert_eq!(shown.title("Shadows", "acne"), "Shadows · acne · 0/64 samples");
         (shown.samples, shown.error) = (16, Some(0.0314));
         assert_eq!(shown.title("Shadows", "acne"), "Shadows · acne · 16/64 samples · error 3.1 %");
+        shown.total = Plan::MAX_SAMPLES;
+        assert_eq!(shown.title("Shadows", "acne"), "Shadows · acne · 16 samples · error 3.1 %");
     }
 
     #[test]

@@ -12,6 +12,7 @@ use super::{
 };
 use crate::{
     color::Rgb,
+    error_goal::ErrorGoal,
     film::{Film, Size, Tile},
     picture::{FilmPoint, Render},
     random::Stream,
@@ -26,13 +27,20 @@ pub(crate) struct Watcher<'a> {
     progress: &'a Progress,
     /// Factor of the exposure.
     gain: f32,
+    goal: Option<ErrorGoal>,
     first_pass: OnceLock<Instant>,
 }
 
 impl<'a> Watcher<'a> {
     /// A watcher for one rendering.
-    pub(crate) fn new(mailbox: &'a Mailbox, shown: &'a Mutex<Shown>, progress: &'a Progress, gain: f32) -> Self {
-        Self { mailbox, shown, progress, gain, first_pass: OnceLock::new() }
+    pub(crate) fn new(
+        mailbox: &'a Mailbox,
+        shown: &'a Mutex<Shown>,
+        progress: &'a Progress,
+        gain: f32,
+        goal: Option<ErrorGoal>,
+    ) -> Self {
+        Self { mailbox, shown, progress, gain, goal, first_pass: OnceLock::new() }
     }
 
     /// When every pixel got its first sample, if that was here.
@@ -64,7 +72,7 @@ impl<'a> Watcher<'a> {
 }
 
 impl Watch for Watcher<'_> {
-    fn tile_done(&self, tile: &Tile, _samples: u32) {
+    fn tile_done(&self, tile: &Tile, _samples: u64) {
         let developed = self.developed(tile);
         // A tile that was abandoned shows nothing true.
         if !self.mailbox.is_overtaken(self.progress) {
@@ -84,6 +92,10 @@ impl Watch for Watcher<'_> {
         shown.version += 1;
         self.progress.rough.store(true, Ordering::Release);
         self.progress.whole.store(true, Ordering::Release);
+    }
+
+    fn is_enough(&self, film: &Film, samples: u32) -> bool {
+        self.goal.is_some_and(|goal| goal.is_reached(film, samples))
     }
 
     fn is_cancelled(&self) -> bool {

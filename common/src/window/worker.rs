@@ -12,12 +12,12 @@ use super::{
     watcher::{Abandonable, Watcher},
 };
 use crate::{
-    cli::{Request, Target, say},
+    cli::{Request, Target, say, start},
     error::Error,
     film::{Film, Size},
     float,
     picture::{Chapter, Render},
-    renderer::{self, Ending},
+    renderer::{self, Ending, Plan, Watch as _},
 };
 
 /// Renders one view after the other, and saves them.
@@ -27,6 +27,8 @@ pub(crate) struct Worker<'a> {
     made: Option<Box<dyn Render>>,
     request: Request,
     film: Film,
+    /// Samples per pixel that it was to have in the end.
+    goal: u32,
     progress: Progress,
     /// How long a sample took lately, all threads together, in seconds.
     pace: Option<f64>,
@@ -37,11 +39,13 @@ pub(crate) struct Worker<'a> {
 }
 
 impl<'a> Worker<'a> {
-    /// A worker that begins with the picture of the command line, already made.
+    /// A worker that begins with the picture of the command line, already made, a film of it, and the
+    /// number of samples per pixel that it was to have in the end.
     pub(crate) fn new(
         chapter: &'a Chapter,
         request: &Request,
         first: &'a dyn Render,
+        (film, goal): (Film, u32),
         mailbox: &'a Mailbox,
         shown: &'a Mutex<Shown>,
     ) -> Self {
@@ -50,7 +54,8 @@ impl<'a> Worker<'a> {
             first,
             made: None,
             request: request.clone(),
-            film: Film::new(request.size),
+            film,
+            goal,
             progress: Progress::default(),
             pace: None,
             saved: false,
@@ -61,6 +66,14 @@ impl<'a> Worker<'a> {
 
     /// Work until the order to quit. The error is that of the last saving.
     pub(crate) fn run(mut self) -> Result<(), Error> {
+        let has = self.film.counts().0;
+        if has > 0 {
+            // A film that goes on is seen at once.
+            let gain = float::exp2(self.request.exposure);
+            let watcher = Watcher::new(self.mailbox, self.shown, &self.progress, gain, None);
+            self.film.tiles().iter().for_each(|tile| watcher.tile_done(tile, 0));
+            watcher.pass_done(&self.film, has);
+        }
         loop {
             let ending = self.render();
             let orders = self.mailbox.take();
@@ -76,14 +89,11 @@ impl<'a> Worker<'a> {
                 continue;
             }
             if orders.quit {
-                if !self.progress.whole.load(Ordering::Relaxed) {
-                    say("warning: not every pixel had a sample yet; those without are black");
-                }
                 return if self.saved { Ok(()) } else { self.save().map(drop) };
             }
             if orders.save {
                 let result = self.save();
-                self.saved = result.is_ok() && ending == Ending::Finished;
+                self.saved = result.is_ok() && ending != Ending::Cancelled;
                 lock(self.shown).message = Some(match result {
                     Ok(text) => Line::new(text, GREEN),
                     Err(error) => {
@@ -115,6 +125,7 @@ impl<'a> Worker<'a> {
         }
         self.request.size = view.size;
         self.film = Film::new(view.size);
+        self.goal = self.request.plan.samples;
         self.progress = Progress::default();
         self.saved = false;
         lock(self.shown).restart(view.size, self.request.plan.samples);
@@ -125,7 +136,7 @@ impl<'a> Worker<'a> {
         let picture = self.made.as_deref().unwrap_or(self.first);
         let Self { mailbox, shown, request, film, progress, pace, .. } = self;
         let (plan, size) = (&request.plan, request.size);
-        let watcher = Watcher::new(mailbox, shown, progress, float::exp2(request.exposure));
+        let watcher = Watcher::new(mailbox, shown, progress, float::exp2(request.exposure), request.until_error);
         let picture = Abandonable { picture, watcher: &watcher };
         let begun = Instant::now();
         let mut sketched = Duration::ZERO;
@@ -144,10 +155,21 @@ impl<'a> Worker<'a> {
         ending
     }
 
+    /// The picture that is rendered.
+    fn picture(&self) -> &dyn Render {
+        self.made.as_deref().unwrap_or(self.first)
+    }
+
+    /// How many samples per pixel the rendering is to have when it goes on without a window.
+    fn goal(&self) -> u32 {
+        if self.goal == Plan::MAX_SAMPLES { self.request.picture.samples.max(2) } else { self.goal }
+    }
+
     /// Save the film as it is; says where it is now.
     fn save(&self) -> Result<String, Error> {
         let target = Target::prepare(self.chapter, &self.request)?;
-        target.save(&self.film, &self.request, None)?;
+        let stored = start::store(self.chapter, &self.request, self.picture(), self.goal(), &self.film);
+        target.save(&self.film, &self.request, None).and(stored)?;
         Ok(match target {
             Target::File(path, _) => format!("saved as {}", path.display()),
             Target::Stdout => "written to standard output".into(),
@@ -201,8 +223,9 @@ mod tests {
         let request = request_to(&file);
         let (mailbox, shown) = (Mailbox::default(), Mutex::new(Shown::new(request.size, request.plan.samples)));
         let first = (request.picture.make)(&request.settings).unwrap();
+        let start = (Film::new(request.size), request.plan.samples);
         std::thread::scope(|scope| {
-            let worker = scope.spawn(|| Worker::new(&CHAPTER, &request, first.as_ref(), &mailbox, &shown).run());
+            let worker = scope.spawn(|| Worker::new(&CHAPTER, &request, first.as_ref(), start, &mailbox, &shown).run());
             let closing = mailbox.closing();
             user(&mailbox, &shown);
             drop(closing);
@@ -262,6 +285,45 @@ mod tests {
         let (_, shown) = saved("all", |_, shown| wait(shown, |shown| shown.samples == 4));
         assert_eq!((shown.total, shown.error), (4, Some(0.0)));
         assert!(shown.raster.pixels().iter().all(|p| *p == screen(Rgb::X * 0.5)));
+    }
+
+    /// Closed in the middle, twice, and finished without a window: the same bits as in one go.
+    #[test]
+    fn a_rendering_goes_on_from_window_to_window() {
+        let file = file("state");
+        let store = file.with_extension("state");
+        let mut request = request_to(&file);
+        (request.samples, request.save_state) = (None, Some(store.clone()));
+        request.plan.samples = request.samples_in_window(request.picture);
+        assert_eq!(request.plan.samples, Plan::MAX_SAMPLES);
+        let first = (request.picture.make)(&request.settings).unwrap();
+        let mut films = Vec::new();
+        for _window in 0..2 {
+            let start = start::Start::prepare(&CHAPTER, &request, first.as_ref()).unwrap();
+            let start = start.film(&request, request.plan.samples);
+            let has = start.0.counts().0;
+            let (mailbox, shown) = (Mailbox::default(), Mutex::new(Shown::new(request.size, request.plan.samples)));
+            std::thread::scope(|scope| {
+                let worker = Worker::new(&CHAPTER, &request, first.as_ref(), start, &mailbox, &shown);
+                let worker = scope.spawn(|| worker.run());
+                wait(&shown, |shown| shown.samples > has);
+                mailbox.post(|orders| orders.quit = true);
+                assert_eq!(worker.join().unwrap(), Ok(()));
+            });
+            let state = crate::state::read(&store).unwrap();
+            assert!(state.film.counts().0 > has);
+            assert_eq!(state.goal, request.picture.samples);
+            films.push(state.film);
+            request.resume = Some(store.clone());
+        }
+        let plan = Plan { samples: films[1].counts().1, ..request.plan };
+        let mut whole = Film::new(request.size);
+        for film in films.iter_mut().chain([&mut whole]) {
+            assert_eq!(renderer::render(first.as_ref(), film, &plan, &()), Ending::Finished);
+        }
+        assert_eq!(films[0].tiles()[0].pixels, whole.tiles()[0].pixels);
+        assert_eq!(films[1].tiles()[0].pixels, whole.tiles()[0].pixels);
+        std::fs::remove_dir_all(file.parent().unwrap()).unwrap();
     }
 
     #[test]

@@ -1,0 +1,38 @@
+//! The knobs that several pictures share: each turns one idea of the chapter on and off.
+
+use common::{
+    knob::{Knob, Step},
+    picture::Settings,
+};
+use sampling::sky_light::Choice;
+use whitted::material::Fresnel;
+
+use crate::path_tracer::Method;
+
+/// Which directions are followed.
+pub(super) const SAMPLING: Knob =
+    Knob::choice("sampling", "which directions are followed", &["uniform", "cosine-and-mirror"], 1);
+/// Whether abstract lights are asked.
+pub(super) const DIRECT: Knob = Knob::switch("direct", "ask abstract lights at every hit", true);
+/// Whether chance may end a path.
+pub(super) const ROULETTE: Knob = Knob::switch("roulette", "let chance end a path", true);
+/// How long paths may be.
+pub(super) const BOUNCES: Knob =
+    Knob::number("bounces", "greatest number of bounces", [0.0, 1000.0], 1000.0, "", Step::Whole);
+
+/// All of them.
+pub(super) const METHOD: [Knob; 4] = [SAMPLING, DIRECT, ROULETTE, BOUNCES];
+
+/// What the user has chosen.
+pub(super) fn method(settings: &Settings) -> Method {
+    let values = &settings.values;
+    // The knob's range is far below the greatest u32.
+    let bounces = u32::try_from(values.index(&BOUNCES)).unwrap_or(Method::MOST_BOUNCES);
+    Method {
+        choice: if values.index(&SAMPLING) == 0 { Choice::Uniform } else { Choice::CosineAndMirror },
+        direct: values.is_on(&DIRECT),
+        roulette: values.is_on(&ROULETTE),
+        fresnel: Fresnel::Exact,
+        bounces: 0..=bounces,
+    }
+}

@@ -1,10 +1,28 @@
 //! The pictures of this chapter.
 
+mod comparisons;
+mod courtyard;
 mod knobs;
 pub mod room;
+mod sheet;
 
 use common::picture::Chapter;
 
 /// Chapter 6 with all its pictures.
-pub const CHAPTER: Chapter =
-    Chapter { number: 6, name: "path-tracing", title: "Path tracing", pictures: &[room::PICTURE], reports: &[] };
+pub const CHAPTER: Chapter = Chapter {
+    number: 6,
+    name: "path-tracing",
+    title: "Path tracing",
+    pictures: &[
+        courtyard::PICTURE,
+        room::PICTURE,
+        comparisons::SAMPLES,
+        comparisons::STEPS,
+        comparisons::DIRECTIONS,
+        comparisons::LOCAL,
+        comparisons::BOUNCES,
+        comparisons::ERROR,
+        comparisons::ROULETTE,
+    ],
+    reports: &[],
+};

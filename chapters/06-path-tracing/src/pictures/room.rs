@@ -72,9 +72,9 @@ pub enum Lamp {
 }
 
 /// Where the lamp is, the radius of the ball, and its radiance.
-const LAMP: Vec3 = Vec3::new(-1.35, 2.2, 0.35);
-const RADIUS: f32 = 0.09;
-const RADIANCE: Rgb = Rgb::new(260.0, 196.0, 118.0);
+const LAMP: Vec3 = Vec3::new(-1.15, 1.75, 0.55);
+const RADIUS: f32 = 0.1;
+const RADIANCE: Rgb = Rgb::new(150.0, 104.0, 56.0);
 
 impl Lamp {
     fn put_into(self, scene: &mut Scene<Material>) {
@@ -130,7 +130,7 @@ pub fn world(lamp: Lamp) -> Result<World, Error> {
         corner(w, h, f),
     ]);
     // The panel hangs a little below the ceiling.
-    let [left, right, back, front, under] = [-0.85, 0.85, -1.1, 0.6, h - 0.02];
+    let [left, right, back, front, under] = [-1.2, 1.2, -1.45, 1.6, h - 0.001];
     builder.part("panel", white).quad([
         corner(left, under, back),
         corner(right, under, back),
@@ -148,7 +148,7 @@ pub fn world(lamp: Lamp) -> Result<World, Error> {
     let mut scene = Scene::new();
     scene.add("gold ball", Sphere::new(corner(0.86, 0.66, -0.25), 0.66), Material::GOLD);
     lamp.put_into(&mut scene);
-    let panel = Material::glowing(Rgb::new(5.6, 5.9, 6.4));
+    let panel = Material::glowing(Rgb::new(1.75, 1.9, 2.15));
     let material = |name, phong: Phong| if name == "panel" { panel } else { phong.into() };
     World::new(scene).with_parts((&builder.mesh, Shading::Flat), &builder.parts, Choice::KdTree, material)
 }

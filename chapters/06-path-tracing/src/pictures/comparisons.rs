@@ -45,7 +45,7 @@ pub(super) const SAMPLES: Picture = picture(
 
 pub(super) const STEPS: Picture = picture(
     "steps",
-    "The room four times with 16 samples per pixel. Upper left, the plain random walk: dark dots everywhere, and single \
+    "The room four times with 8 samples per pixel. Upper left, the plain random walk: dark dots everywhere, and single \
      bright ones, since the lamp is a small ball that few paths find. Upper right, with direct light: the lamp's light \
      and shadows are smooth. Lower left, with importance sampling: less grain, and the black ball becomes gold. Lower \
      right, with roulette: as the last one, with a little more grain, for less than half of the rays.",
@@ -55,15 +55,15 @@ pub(super) const STEPS: Picture = picture(
         let direct = Method { direct: true, ..plain.clone() };
         let important = Method { choice: Choice::CosineAndMirror, ..direct.clone() };
         let roulette = Method { roulette: true, bounces: Method::BEST.bounces, ..important.clone() };
-        let panel = |method: Method, title: &str, caption: &str| (method, 16, title.into(), caption.into());
+        let panel = |method: Method, title: &str, caption: &str| (method, 8, title.into(), caption.into());
         sheet(
             settings,
             2,
             HALF,
             [
-                panel(plain, "random walk", "the lamp is a glowing ball; 20 bounces"),
-                panel(direct, "+ direct light", "the lamp is a point; 20 bounces"),
-                panel(important, "+ importance sampling", "20 bounces"),
+                panel(plain, "random walk", "the lamp is a glowing ball; 10 bounces"),
+                panel(direct, "+ direct light", "the lamp is a point; 10 bounces"),
+                panel(important, "+ importance sampling", "10 bounces"),
                 panel(roulette, "+ Russian roulette", "any number of bounces"),
             ],
         )
@@ -71,7 +71,7 @@ pub(super) const STEPS: Picture = picture(
 );
 
 /// Where walks are cut off that nothing else ends.
-const PLAIN_BOUNCES: u32 = 20;
+const PLAIN_BOUNCES: u32 = 10;
 
 pub(super) const DIRECTIONS: Picture = picture(
     "uniform-against-cosine",
@@ -129,7 +129,7 @@ pub(super) const BOUNCES: Picture = picture(
     Size::of::<960, 510>(),
     |settings| {
         let panel = |bounces: std::ops::RangeInclusive<u32>, title: &str| {
-            (Method { bounces, ..Method::BEST }, 48, title.into(), String::new())
+            (Method { bounces, ..Method::BEST }, 32, title.into(), String::new())
         };
         let most = Method::MOST_BOUNCES;
         sheet(
@@ -151,7 +151,7 @@ pub(super) const BOUNCES: Picture = picture(
 pub(super) const ROULETTE: Picture = picture(
     "roulette",
     "The room three times with 32 samples per pixel. Left, without roulette and with at most 3 bounces: smooth but too dark, \
-     above all in the corners and on the ceiling. Middle, with at most 20 bounces: as bright as it should be. Right, with roulette: just as \
+     above all in the corners and on the ceiling. Middle, with at most 10 bounces: as bright as it should be. Right, with roulette: just as \
      bright, with more grain.",
     Size::of::<960, 258>(),
     |settings| {
@@ -163,7 +163,7 @@ pub(super) const ROULETTE: Picture = picture(
             THIRD,
             [
                 panel(cut(3), "cut off after 3 bounces", "too dark on average"),
-                panel(cut(PLAIN_BOUNCES), "cut off after 20 bounces", "right but for a trace"),
+                panel(cut(PLAIN_BOUNCES), "cut off after 10 bounces", "right but for a trace"),
                 panel(Method::BEST, "Russian roulette", "right on average"),
             ],
         )

@@ -62,7 +62,7 @@ const FIELD_OF_VIEW: f32 = 54.0;
 fn scene() -> Scene<Material> {
     let mut scene = Scene::new();
     scene.surround(Sky).light(DirectionalLight::new(Vec3::new(0.62, 1.0, 0.5), Rgb::new(7.4, 6.0, 4.2)));
-    scene.add("golden ball", Sphere::new(Vec3::new(0.0, 3.5, -9.0), 1.15), Material::GOLD);
+    scene.add("golden ball", Sphere::new(Vec3::new(0.0, 3.75, -9.0), 1.4), Material::GOLD);
     scene
 }
 
@@ -72,7 +72,7 @@ struct Sky;
 impl Background for Sky {
     fn radiance(&self, direction: Vec3) -> Rgb {
         let height = direction.normalize().y.max(0.0);
-        Rgb::new(0.95, 1.0, 1.05).lerp(Rgb::new(0.22, 0.42, 0.95), height.sqrt())
+        Rgb::new(1.9, 1.95, 2.0).lerp(Rgb::new(0.5, 0.85, 1.7), height.sqrt())
     }
 }
 // ANCHOR_END: scene

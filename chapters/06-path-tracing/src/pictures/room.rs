@@ -35,7 +35,7 @@ pub(super) const PICTURE: Picture = Picture {
           right, and no shadow is black.",
     knobs: &[METHOD[0], METHOD[1], METHOD[2], METHOD[3], ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 600>(),
-    samples: 64,
+    samples: 32,
     takes_mesh: false,
     make,
 };
@@ -72,9 +72,9 @@ pub enum Lamp {
 }
 
 /// Where the lamp is, the radius of the ball, and its radiance.
-const LAMP: Vec3 = Vec3::new(-1.15, 1.75, 0.55);
+const LAMP: Vec3 = Vec3::new(-1.05, 1.6, 0.75);
 const RADIUS: f32 = 0.1;
-const RADIANCE: Rgb = Rgb::new(150.0, 104.0, 56.0);
+const RADIANCE: Rgb = Rgb::new(100.0, 68.0, 36.0);
 
 impl Lamp {
     fn put_into(self, scene: &mut Scene<Material>) {
@@ -103,12 +103,30 @@ const NEAR: f32 = 4.0;
 /// # Errors
 /// None, since it has triangles.
 pub fn world(lamp: Lamp) -> Result<World, Error> {
+    let mut scene = Scene::new();
+    scene.add("gold ball", Sphere::new(Vec3::new(0.86, 0.66, -0.25), 0.66), Material::GOLD);
+    lamp.put_into(&mut scene);
+    furnished(scene)
+}
+
+/// The same without the mirror: all that is left is matte.
+///
+/// # Errors
+/// None, since it has triangles.
+pub fn world_without_ball(lamp: Lamp) -> Result<World, Error> {
+    let mut scene = Scene::new();
+    lamp.put_into(&mut scene);
+    furnished(scene)
+}
+
+/// A scene with the walls, the panel, the block and the crystals around it.
+fn furnished(scene: Scene<Material>) -> Result<World, Error> {
     let matte = |color| Phong::of(color, 0.0, 1.0);
-    let white = matte(srgb(226, 222, 214));
+    let white = matte(srgb(236, 233, 228));
     let mut builder = Builder::default();
     let corner = Vec3::new;
     let (w, h, f, n) = (HALF_WIDTH, HEIGHT, FAR, NEAR);
-    builder.part("floor", matte(srgb(206, 198, 186))).quad([
+    builder.part("floor", matte(srgb(222, 214, 202))).quad([
         corner(-w, 0.0, f),
         corner(-w, 0.0, n),
         corner(w, 0.0, n),
@@ -117,13 +135,13 @@ pub fn world(lamp: Lamp) -> Result<World, Error> {
     builder.part("ceiling", white).quad([corner(-w, h, f), corner(w, h, f), corner(w, h, n), corner(-w, h, n)]);
     builder.part("far wall", white).quad([corner(-w, 0.0, f), corner(w, 0.0, f), corner(w, h, f), corner(-w, h, f)]);
     builder.part("near wall", white).quad([corner(-w, 0.0, n), corner(-w, h, n), corner(w, h, n), corner(w, 0.0, n)]);
-    builder.part("left wall", matte(srgb(206, 62, 36))).quad([
+    builder.part("left wall", matte(srgb(226, 104, 74))).quad([
         corner(-w, 0.0, f),
         corner(-w, h, f),
         corner(-w, h, n),
         corner(-w, 0.0, n),
     ]);
-    builder.part("right wall", matte(srgb(38, 104, 168))).quad([
+    builder.part("right wall", matte(srgb(104, 168, 214))).quad([
         corner(w, 0.0, f),
         corner(w, 0.0, n),
         corner(w, h, n),
@@ -140,14 +158,11 @@ pub fn world(lamp: Lamp) -> Result<World, Error> {
     builder.part("block", white);
     let frame = Frame::at(corner(-0.72, 0.0, -0.95)).turned(Vec3::Y, 22.0);
     builder.cuboid(&frame, corner(-0.42, 0.0, -0.42), corner(0.42, 1.75, 0.42));
-    builder.part("crystals", matte(srgb(70, 120, 206)));
+    builder.part("crystals", matte(srgb(96, 130, 214)));
     for triangle in crystals(corner(-0.28, 0.0, 0.42), 0.75)?.triangles() {
         let corners = triangle.corners.map(|corner| builder.vertex(corner));
         builder.triangle(corners);
     }
-    let mut scene = Scene::new();
-    scene.add("gold ball", Sphere::new(corner(0.86, 0.66, -0.25), 0.66), Material::GOLD);
-    lamp.put_into(&mut scene);
     let panel = Material::glowing(Rgb::new(1.75, 1.9, 2.15));
     let material = |name, phong: Phong| if name == "panel" { panel } else { phong.into() };
     World::new(scene).with_parts((&builder.mesh, Shading::Flat), &builder.parts, Choice::KdTree, material)

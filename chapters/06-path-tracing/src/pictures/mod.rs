@@ -6,6 +6,7 @@ mod courtyard;
 mod knobs;
 pub mod room;
 mod sheet;
+mod steps;
 
 use common::picture::Chapter;
 
@@ -18,12 +19,12 @@ pub const CHAPTER: Chapter = Chapter {
         courtyard::PICTURE,
         room::PICTURE,
         comparisons::SAMPLES,
-        comparisons::STEPS,
+        steps::STEPS,
         comparisons::DIRECTIONS,
         comparisons::LOCAL,
         comparisons::BOUNCES,
         comparisons::ERROR,
-        comparisons::ROULETTE,
+        steps::ROULETTE,
     ],
     reports: &[],
 };

@@ -36,8 +36,8 @@ pub(super) const fn picture(
 pub(super) const SAMPLES: Picture = picture(
     "samples",
     "The room three times, with 1, 10 and 100 samples per pixel. With 1 it is a cloud of dots in which the walls, the \
-     block and the ball can just be told apart; with 10 all things are there under coarse grain; with 100 the grain is \
-     fine.",
+     block and the ball can just be told apart; with 10 all things are there under coarse grain; with 100 the grain \
+     is fine.",
     Size::of::<960, 258>(),
     |settings| {
         let panel = |samples: u32, title: &str| (Method::BEST, samples, title.into(), String::new());
@@ -47,9 +47,9 @@ pub(super) const SAMPLES: Picture = picture(
 
 pub(super) const DIRECTIONS: Picture = picture(
     "uniform-against-cosine",
-    "The room three times without roulette. Left, 16 samples per pixel of uniform directions: coarse grain, and the gold ball \
-     is black. Middle, 16 samples of cosine-distributed and mirror directions: less grain, and the ball is gold and \
-     shows the room. Right, as many of these as take the time of the left one: the same once more.",
+    "The room three times without roulette. Left, 16 samples per pixel of uniform directions: coarse grain, and the \
+     gold ball is black. Middle, 16 samples of cosine-distributed and mirror directions: less grain, and the ball is \
+     gold and shows the room. Right, as many of these as take the time of the left one: the same once more.",
     Size::of::<960, 258>(),
     |settings| {
         let of = |choice| Method { choice, roulette: false, bounces: 0..=PLAIN_BOUNCES, ..Method::BEST };
@@ -74,9 +74,10 @@ const EQUAL_TIME: u32 = 15;
 
 pub(super) const LOCAL: Picture = picture(
     "local-and-global",
-    "The room twice. Left, local illumination, light that was reflected at most once: shadows of the lamp are deep, the \
-     ceiling is black around the panel, and in the ball only panel and lamp can be seen. Right, global illumination: the ceiling and all shadows are lit by the walls, white \
-     things are tinged red and blue, and the ball shows the whole room.",
+    "The room twice. Left, local illumination, light that was reflected at most once: the ball is black but for the \
+     panel in it, the ceiling is lit on the left by the lamp alone, and the crystals' shadow is nearly black. Right, \
+     global illumination: the ceiling and all shadows are filled, the white things are tinged red and blue, and the \
+     ball shows the whole room.",
     Size::of::<960, 356>(),
     |settings| {
         let of = |most| Method { bounces: 0..=most, roulette: most > 1, ..Method::BEST };
@@ -95,9 +96,10 @@ pub(super) const LOCAL: Picture = picture(
 
 pub(super) const BOUNCES: Picture = picture(
     "bounces",
-    "The room six times. Only what sends out light itself: the panel. Then light of exactly one bounce, with deep \
-     shadows and a black ceiling; of two, dimmer, with the ceiling lit and the ball showing what the last one did; of three, dimmer and without any \
-     sharp shadow; of all further ones, an even reddish gray; and the sum of all.",
+    "The room six times. With 0 bounces only the panel is there, which sends out light itself. Light of exactly one \
+     bounce has deep shadows, a ceiling that only the lamp reaches, and a black ball with panel and lamp in it. Of \
+     two bounces it is dimmer and fills the shadows, and the ball is gold; of three dimmer again; of four and more, \
+     dim reddish grain. The sixth is the sum of all.",
     Size::of::<960, 510>(),
     |settings| {
         let panel = |bounces: std::ops::RangeInclusive<u32>, title: &str| {
@@ -125,9 +127,9 @@ pub(super) const BOUNCES: Picture = picture(
 
 pub(super) const ERROR: Picture = picture(
     "error",
-    "Left, the room with 32 samples per pixel. Right, its own error as a picture: the panel is black, since nothing there \
-     is left to chance; the ball mirrors that; the walls are violet to red; the lamp's bright spot stands out no more than the \
-     rest, since direct light is certain.",
+    "Left, the room with 32 samples per pixel. Right, its own error as a picture: the panel is black, since nothing \
+     is left to chance there; the far wall is orange, where the light is strong; the side walls are violet with \
+     bright dots; the crystals and the shadows are dark violet.",
     Size::of::<960, 356>(),
     |settings| {
         let world = Arc::new(world(Lamp::Abstract)?);

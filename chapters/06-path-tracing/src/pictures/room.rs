@@ -29,9 +29,9 @@ use crate::{
 
 pub(super) const PICTURE: Picture = Picture {
     name: "room",
-    alt: "A room with a vermilion wall on the left, a blue one on the right, and all else white, lit by a bright panel \
-          in the ceiling and by a lamp on the left. A tall white block stands behind, blue crystals in front of it, and a gold \
-          mirror ball on the right shows the whole room. The white things are tinged red on the left and blue on the \
+    alt: "A room with a vermilion wall on the left, a blue one on the right, and all else white, lit by a bright panel in \
+          the ceiling and by a lamp on the left. A tall white block stands behind, blue crystals in front of it, and a \
+          gold mirror ball on the right shows the whole room. The white things are tinged red on the left and blue on the \
           right, and no shadow is black.",
     knobs: &[METHOD[0], METHOD[1], METHOD[2], METHOD[3], ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 600>(),

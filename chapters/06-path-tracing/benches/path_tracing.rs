@@ -1,1 +1,57 @@
-fn main() {}
+//! How fast chapter 6 is: `cargo bench -p path-tracing`. Compare lines of one run only; machines differ.
+//!
+//! Beside the course's own room stands the box of scene B3 of the proof (a box with two boxes in it, lit by a point), which
+//! other programs render too: multiply its rate by the number of threads that they use.
+
+use std::hint::black_box;
+
+use common::{
+    Stream, Vec2,
+    picture::{FilmPoint, Integrator as _, Settings},
+    story::Untold,
+};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use path_tracing::{
+    path_tracer::{Method, PathTracer},
+    pictures::{cornell_box, room},
+};
+use sampling::sky_light::Choice;
+
+/// Paths of one measurement.
+const PATHS: u64 = 4096;
+
+/// One path through each of many points of the film, on one core.
+fn trace(tracer: &PathTracer) -> f32 {
+    let size = Vec2::splat(64.0);
+    let path = |i: u64| {
+        let mut random = Stream::new(0, i, 0);
+        let position = size * Vec2::new(random.uniform(), random.uniform());
+        tracer.radiance(FilmPoint { position, size }, &mut random, &mut Untold).x
+    };
+    (0..PATHS).map(path).sum()
+}
+
+/// Paths per second, by scene and method.
+fn paths(c: &mut Criterion) {
+    let mut group = c.benchmark_group("paths");
+    group.throughput(Throughput::Elements(PATHS)).sample_size(20);
+    let plain = Method { bounces: 0..=10, ..Method::PLAIN };
+    let methods = [
+        ("random walk, 10 bounces", plain.clone()),
+        ("direct light, 10 bounces", Method { direct: true, ..plain.clone() }),
+        ("importance sampling, 10 bounces", Method { direct: true, choice: Choice::CosineAndMirror, ..plain }),
+        ("roulette", Method::BEST),
+    ];
+    for (name, method) in methods {
+        if let Ok(tracer) = room::tracer(method, &Settings::default()) {
+            group.bench_function(format!("room, {name}"), |b| b.iter(|| trace(black_box(&tracer))));
+        }
+    }
+    if let Ok(tracer) = cornell_box::tracer(true, Method::BEST) {
+        group.bench_function("box", |b| b.iter(|| trace(black_box(&tracer))));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, paths);
+criterion_main!(benches);

@@ -61,7 +61,7 @@ const FIELD_OF_VIEW: f32 = 54.0;
 /// Sun and sky, and the ball. The triangles come with the mesh.
 fn scene() -> Scene<Material> {
     let mut scene = Scene::new();
-    scene.surround(Sky).light(DirectionalLight::new(Vec3::new(0.62, 1.0, 0.5), Rgb::new(7.4, 6.0, 4.2)));
+    scene.surround(Sky).light(DirectionalLight::new(Vec3::new(0.62, 1.0, 0.5), Rgb::new(6.6, 5.3, 3.6)));
     scene.add("golden ball", Sphere::new(Vec3::new(0.0, 3.75, -9.0), 1.4), Material::GOLD);
     scene
 }
@@ -72,7 +72,7 @@ struct Sky;
 impl Background for Sky {
     fn radiance(&self, direction: Vec3) -> Rgb {
         let height = direction.normalize().y.max(0.0);
-        Rgb::new(1.9, 1.95, 2.0).lerp(Rgb::new(0.5, 0.85, 1.7), height.sqrt())
+        Rgb::new(0.95, 1.1, 1.3).lerp(Rgb::new(0.3, 0.62, 1.4), height)
     }
 }
 // ANCHOR_END: scene

@@ -1,6 +1,7 @@
 //! The pictures of this chapter.
 
 mod comparisons;
+pub mod cornell_box;
 mod courtyard;
 mod knobs;
 pub mod room;

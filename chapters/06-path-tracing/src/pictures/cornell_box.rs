@@ -1,0 +1,61 @@
+//! A box in which every renderer is measured: after the one at Cornell University, but lit by a point.
+
+use std::sync::Arc;
+
+use common::{Error, Rgb, Vec3};
+use ray_casting::{
+    camera::Camera, light::PointLight, material::Phong, mesh::Shading, pictures::stage::camera_error, scene::Scene,
+    sphere::Sphere,
+};
+use space_partitioning::{choice::Choice, scenes::builder::Builder};
+
+use crate::{
+    material::Material,
+    path_tracer::{Method, PathTracer},
+    world::World,
+};
+
+/// Scene B3 is a box of 2×2×2, open in front, with a red wall on the left, a green one on the right, two boxes in it, and a
+/// point light of intensity 2 below the ceiling. Scene C3 has a gold ball in place of the boxes.
+///
+/// # Errors
+/// None, since it has triangles.
+pub fn tracer(with_boxes: bool, method: Method) -> Result<PathTracer, Error> {
+    let white = Phong::of(Rgb::splat(0.75), 0.0, 1.0);
+    let corner = |x: f32, y: f32, z: f32| Vec3::new(x, y, z);
+    let mut builder = Builder::default();
+    builder.part("white", white);
+    builder.quad([corner(-1.0, 0.0, -1.0), corner(-1.0, 0.0, 1.0), corner(1.0, 0.0, 1.0), corner(1.0, 0.0, -1.0)]);
+    builder.quad([corner(-1.0, 0.0, -1.0), corner(1.0, 0.0, -1.0), corner(1.0, 2.0, -1.0), corner(-1.0, 2.0, -1.0)]);
+    builder.quad([corner(-1.0, 2.0, -1.0), corner(1.0, 2.0, -1.0), corner(1.0, 2.0, 1.0), corner(-1.0, 2.0, 1.0)]);
+    if with_boxes {
+        boxes(&mut builder);
+    }
+    builder.part("red", Phong::of(Rgb::new(0.63, 0.065, 0.05), 0.0, 1.0));
+    builder.quad([corner(-1.0, 0.0, -1.0), corner(-1.0, 2.0, -1.0), corner(-1.0, 2.0, 1.0), corner(-1.0, 0.0, 1.0)]);
+    builder.part("green", Phong::of(Rgb::new(0.14, 0.45, 0.091), 0.0, 1.0));
+    builder.quad([corner(1.0, 0.0, -1.0), corner(1.0, 0.0, 1.0), corner(1.0, 2.0, 1.0), corner(1.0, 2.0, -1.0)]);
+    let mut scene = Scene::new();
+    scene.light(PointLight { position: corner(0.0, 1.75, 0.0), intensity: Rgb::splat(2.0) });
+    if !with_boxes {
+        scene.add("gold", Sphere::new(corner(0.0, 0.5, 0.0), 0.5), Material::GOLD);
+    }
+    let mesh = (&builder.mesh, Shading::Flat);
+    let world = World::new(scene).with_parts(mesh, &builder.parts, Choice::KdTree, |_, phong| phong.into())?;
+    let camera = Camera::new(corner(0.0, 1.0, 4.0), corner(0.0, 1.0, 0.0), Vec3::Y, 38.0).map_err(camera_error)?;
+    Ok(PathTracer { world: Arc::new(world), camera, method })
+}
+
+/// Two boxes by the four corners of their upper sides.
+fn boxes(builder: &mut Builder) {
+    let tall = [[-0.702, -0.484], [-0.534, 0.092], [0.042, -0.076], [-0.126, -0.652]];
+    let short = [[0.126, -0.012], [-0.042, 0.564], [0.534, 0.732], [0.702, 0.156]];
+    for (corners, height) in [(tall, 1.2), (short, 0.6)] {
+        let [top, bottom] = [height, 0.0].map(|y| corners.map(|[x, z]: [f32; 2]| Vec3::new(x, y, z)));
+        builder.quad(top);
+        for i in 0..4 {
+            let j = (i + 1) % 4;
+            builder.quad([bottom[i], top[i], top[j], bottom[j]]);
+        }
+    }
+}

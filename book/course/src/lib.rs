@@ -8,5 +8,11 @@ pub mod live;
 use common::picture::Chapter;
 
 /// The chapters in their order.
-pub const CHAPTERS: &[Chapter] =
-    &[ray_casting::CHAPTER, shadows::CHAPTER, whitted::CHAPTER, space_partitioning::CHAPTER, sampling::CHAPTER];
+pub const CHAPTERS: &[Chapter] = &[
+    ray_casting::CHAPTER,
+    shadows::CHAPTER,
+    whitted::CHAPTER,
+    space_partitioning::CHAPTER,
+    sampling::CHAPTER,
+    path_tracing::CHAPTER,
+];

@@ -107,7 +107,7 @@ pub(super) const LOCAL: Picture = picture(
      things are tinged red and blue, and the ball shows the whole room.",
     Size::of::<960, 356>(),
     |settings| {
-        let of = |most| Method { bounces: 0..=most, ..Method::BEST };
+        let of = |most| Method { bounces: 0..=most, roulette: most > 1, ..Method::BEST };
         let panel = |most, title: &str, caption: &str| (of(most), 64, title.into(), caption.into());
         sheet(
             settings,
@@ -129,7 +129,10 @@ pub(super) const BOUNCES: Picture = picture(
     Size::of::<960, 510>(),
     |settings| {
         let panel = |bounces: std::ops::RangeInclusive<u32>, title: &str| {
-            (Method { bounces, ..Method::BEST }, 32, title.into(), String::new())
+            // So many bounces and no more need no roulette: nothing is left out.
+            let roulette = *bounces.end() == Method::MOST_BOUNCES;
+            let samples = if roulette { 64 } else { 32 };
+            (Method { bounces, roulette, ..Method::BEST }, samples, title.into(), String::new())
         };
         let most = Method::MOST_BOUNCES;
         sheet(

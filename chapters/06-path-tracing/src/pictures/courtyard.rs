@@ -14,9 +14,13 @@ use ray_casting::{
 };
 use space_partitioning::{choice::Choice, scenes::court};
 
-use super::knobs::{BOUNCES, DIRECT, ROULETTE, SAMPLING, method};
+use super::knobs::{self, DIRECT, SAMPLING, method};
 use crate::{material::Material, path_tracer::PathTracer, world::World};
 
+/// In the open most light comes after few bounces. Paths cut off here lack about a hundredth of it, and without roulette
+/// they have much less grain.
+const ROULETTE: Knob = knobs::roulette(false);
+const BOUNCES: Knob = knobs::bounces(6.0);
 /// How many triangles the court has.
 const TRIANGLES: Knob = Knob::number(
     "triangles",
@@ -49,7 +53,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let world =
         World::new(scene()).with_parts((&model.mesh, model.shading), &model.parts, choice, |_, phong| phong.into())?;
     let camera = Camera::orbited(EYE, LOOKAT, FIELD_OF_VIEW, values).map_err(camera_error)?;
-    Ok(Box::new(PathTracer { world: Arc::new(world), camera, method: method(settings) }))
+    Ok(Box::new(PathTracer { world: Arc::new(world), camera, method: method(settings, [&ROULETTE, &BOUNCES]) }))
 }
 
 /// Who looks.

@@ -41,7 +41,7 @@ pub(super) const PICTURE: Picture = Picture {
 };
 
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
-    Ok(Box::new(tracer(method(settings), settings)?))
+    Ok(Box::new(tracer(method(settings, [&METHOD[2], &METHOD[3]]), settings)?))
 }
 
 /// The room, seen in some way.

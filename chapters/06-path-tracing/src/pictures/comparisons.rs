@@ -213,3 +213,32 @@ fn sheet<const N: usize>(
     };
     Ok(Box::new(Sheet::new(columns, size, ways.into_iter().map(panel).collect())))
 }
+
+#[cfg(test)]
+mod tests {
+    use common::{Stream, picture::FilmPoint};
+
+    use super::*;
+    use crate::probe::RayCounts;
+
+    /// What the picture of the steps says of the last one.
+    #[test]
+    fn roulette_needs_less_than_half_of_the_rays() {
+        let world = Arc::new(world(Lamp::Abstract).unwrap());
+        let camera = view(&Settings::default()).unwrap();
+        let rays = |method| {
+            let tracer = PathTracer { world: Arc::clone(&world), camera, method };
+            let mut counts = RayCounts::default();
+            for i in 0..2000 {
+                let mut random = Stream::new(1, i, 0);
+                let position = HALF * Vec2::new(random.uniform(), random.uniform());
+                tracer.trace(camera.ray(FilmPoint { position, size: HALF }), &mut random, &mut counts);
+            }
+            counts.path_rays + counts.shadow_rays
+        };
+        let cut = rays(Method { roulette: false, bounces: 0..=PLAIN_BOUNCES, ..Method::BEST });
+        let roulette = rays(Method::BEST);
+        println!("rays of 2000 paths: {cut} without roulette, {roulette} with it");
+        assert!(2 * roulette < cut, "{roulette} {cut}");
+    }
+}

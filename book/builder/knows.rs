@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// Files and folders at the top of a crate that only put the modules together.
-const GLUE: [&str; 4] = ["lib", "main", "bin", "pictures"];
+const GLUE: [&str; 5] = ["lib", "main", "bin", "pictures", "proof"];
 
 /// The diagram of a chapter's modules.
 pub(crate) fn block(house: &House, chapter: &str, output: &mut Output) -> Result<Block, String> {

@@ -112,6 +112,7 @@ impl Pixel {
         (self.sum / self.good().max(1.0)).as_vec3()
     }
 
+    // ANCHOR: standard_error
     /// Standard error of the mean, for each channel: how far the pixel typically is from the true value.
     ///
     /// It is √(s²/n), with s² the unbiased estimate of the variance of one sample and n their number; infinite for
@@ -125,6 +126,7 @@ impl Pixel {
         let variance = (self.sum_of_squares - self.sum * self.sum / n).max(DVec3::ZERO) / (n - 1.0);
         DVec3::from_array((variance / n).to_array().map(f64::sqrt)).as_vec3()
     }
+    // ANCHOR_END: standard_error
 
     /// Number of samples so far, bad ones included.
     #[must_use]
@@ -240,6 +242,7 @@ impl Film {
         self.tiles.iter().flat_map(|t| &t.pixels).map(|p| u64::from(p.bad)).sum()
     }
 
+    // ANCHOR: relative_error
     /// The picture's own error: the mean over all pixels of the standard error of their luminance, as a share of
     /// the mean luminance. `None` before the second sample, and for a black picture.
     #[must_use]
@@ -251,6 +254,7 @@ impl Film {
         }
         (error.is_finite() && light > 0.0).then_some(error / light)
     }
+    // ANCHOR_END: relative_error
 
     /// Linear RGB means, row by row from the top.
     #[must_use]

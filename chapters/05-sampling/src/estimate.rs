@@ -62,6 +62,21 @@ impl Estimate {
         three_sigma(self.variance(), self.count)
     }
     // ANCHOR_END: estimate
+
+    /// The estimate from all samples of both.
+    ///
+    /// Source: Chan, Golub, LeVeque, *Updating Formulae and a Pairwise Algorithm for Computing Sample Variances*, 1979.
+    #[must_use]
+    pub fn merge(self, other: Self) -> Self {
+        let count = self.count + other.count;
+        if self.count == 0 || other.count == 0 {
+            return if self.count == 0 { other } else { self };
+        }
+        let share = other.count as f64 / count as f64;
+        let apart = other.mean - self.mean;
+        let squares = self.squares + other.squares + apart * apart * share * self.count as f64;
+        Self { count, mean: self.mean + apart * share, squares }
+    }
 }
 
 /// Three standard deviations of the mean of `count` samples that have this variance each.
@@ -98,6 +113,14 @@ mod tests {
         let (sum, squares) = samples().fold((0.0, 0.0), |(s, q), x| (s + x, q + x * x));
         let textbook: f64 = (squares - sum * sum / 1000.0) / 999.0;
         assert!((textbook - 0.25).abs() > 0.01, "{textbook}");
+    }
+
+    #[test]
+    fn merged_halves_are_the_whole() {
+        let sample = |i: i32| f64::from(i * i % 17);
+        let (whole, halves) = (of((0..100).map(sample)), of((0..30).map(sample)).merge(of((30..100).map(sample))));
+        assert!((whole.mean() - halves.mean()).abs() < 1e-12 && (whole.variance() - halves.variance()).abs() < 1e-12);
+        assert_eq!((whole.merge(of([])), of([]).merge(whole)), (whole, whole));
     }
 
     #[test]

@@ -12,7 +12,8 @@ use common::{
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use path_tracing::{
-    path_tracer::{Method, PathTracer},
+    method::Method,
+    path_tracer::PathTracer,
     pictures::{cornell_box, room},
 };
 use sampling::sky_light::Choice;

@@ -15,7 +15,7 @@ use sampling::{
 
 use crate::{
     material::Material,
-    path_tracer::Method,
+    method::Method,
     probe::Probe,
     roulette::{Chances, Kind},
 };

@@ -5,6 +5,7 @@
 pub mod direct_light;
 pub mod importance;
 pub mod material;
+pub mod method;
 pub mod path_tracer;
 pub mod pictures;
 pub mod probe;

@@ -2,7 +2,7 @@
 //!
 //! Source: Kajiya, *The Rendering Equation*, SIGGRAPH 1986.
 
-use std::{ops::RangeInclusive, sync::Arc};
+use std::sync::Arc;
 
 use common::{
     Rgb, Stream, Vec3,
@@ -15,14 +15,14 @@ use ray_casting::{
     local_illumination::tell_ray,
     ray::Ray,
 };
-use sampling::sky_light::Choice;
 use shadows::offset::Offset;
-use whitted::{material::Fresnel, probe::Listener};
+use whitted::probe::Listener;
 
 use crate::{
     direct_light::direct_light,
     importance::{Step, step},
     material::Material,
+    method::Method,
     probe::Probe,
     world::{Surface, World},
 };
@@ -37,39 +37,7 @@ pub struct PathTracer {
     /// How paths are chosen.
     pub method: Method,
 }
-
-/// How paths are chosen.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Method {
-    /// Which directions are followed.
-    pub choice: Choice,
-    /// Whether the abstract lights are asked at every hit. Without that they give no light at all.
-    pub direct: bool,
-    /// Whether chance may end a path. Without that only the greatest number of bounces does, and a picture whose paths
-    /// are cut off is too dark.
-    pub roulette: bool,
-    /// Which formula says how much is mirrored.
-    pub fresnel: Fresnel,
-    /// Which light is shown, by how often it was reflected between its source and the eye: 0 is what sources send
-    /// straight to the eye, 1 is reflected once, as in chapters 1 and 2.
-    pub bounces: RangeInclusive<u32>,
-}
 // ANCHOR_END: path_tracer
-
-impl Method {
-    /// No path is ever longer. Roulette ends all but one in 10⁴ of those that see nothing but an albedo of 0.99.
-    pub const MOST_BOUNCES: u32 = 1000;
-    /// The random walk in its plainest form.
-    pub const PLAIN: Self = Self {
-        choice: Choice::Uniform,
-        direct: false,
-        roulette: false,
-        fresnel: Fresnel::Exact,
-        bounces: 0..=Self::MOST_BOUNCES,
-    };
-    /// Everything that makes it better.
-    pub const BEST: Self = Self { choice: Choice::CosineAndMirror, direct: true, roulette: true, ..Self::PLAIN };
-}
 
 impl PathTracer {
     // ANCHOR: trace

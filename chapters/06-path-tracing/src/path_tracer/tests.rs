@@ -5,6 +5,7 @@ use ray_casting::{
     scene::Scene,
     sphere::Sphere,
 };
+use sampling::sky_light::Choice;
 
 use super::*;
 use crate::{probe::RayCounts, random_walk::random_walk};

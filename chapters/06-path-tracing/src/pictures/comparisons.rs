@@ -14,10 +14,7 @@ use super::{
     sheet::{Panel, Sheet, Shown},
     steps::PLAIN_BOUNCES,
 };
-use crate::{
-    path_tracer::{Method, PathTracer},
-    world::World,
-};
+use crate::{method::Method, path_tracer::PathTracer, world::World};
 
 /// Size of a panel where three stand in a row, and where two do.
 pub(super) const THIRD: Vec2 = Vec2::new(304.0, 190.0);

@@ -9,11 +9,7 @@ use ray_casting::{
 };
 use space_partitioning::{choice::Choice, scenes::builder::Builder};
 
-use crate::{
-    material::Material,
-    path_tracer::{Method, PathTracer},
-    world::World,
-};
+use crate::{material::Material, method::Method, path_tracer::PathTracer, world::World};
 
 /// Scene B3 is a box of 2×2×2, open in front, with a red wall on the left, a green one on the right, two boxes in it, and a
 /// point light of intensity 2 below the ceiling. Scene C3 has a gold ball in place of the boxes.

@@ -7,7 +7,7 @@ use common::{
 use sampling::sky_light::Choice;
 use whitted::material::Fresnel;
 
-use crate::path_tracer::Method;
+use crate::method::Method;
 
 /// Which directions are followed.
 pub(super) const SAMPLING: Knob =

@@ -21,11 +21,7 @@ use ray_casting::{
 use space_partitioning::{choice::Choice, scenes::builder::Builder};
 
 use super::knobs::{METHOD, method};
-use crate::{
-    material::Material,
-    path_tracer::{Method, PathTracer},
-    world::World,
-};
+use crate::{material::Material, method::Method, path_tracer::PathTracer, world::World};
 
 pub(super) const PICTURE: Picture = Picture {
     name: "room",

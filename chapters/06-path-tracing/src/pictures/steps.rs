@@ -4,7 +4,7 @@ use common::{film::Size, picture::Picture};
 use sampling::sky_light::Choice;
 
 use super::comparisons::{HALF, THIRD, picture, sheet};
-use crate::path_tracer::Method;
+use crate::method::Method;
 
 pub(super) const STEPS: Picture = picture(
     "steps",

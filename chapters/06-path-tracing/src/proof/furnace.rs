@@ -5,11 +5,7 @@ use ray_casting::{hit::Hit, ray::Ray, scene::Scene, shape::Shape, sphere::Sphere
 use sampling::{estimate::Estimate, sky_light::Choice};
 
 use super::{camera, estimate, gray};
-use crate::{
-    material::Material,
-    path_tracer::{Method, PathTracer},
-    world::World,
-};
+use crate::{material::Material, method::Method, path_tracer::PathTracer, world::World};
 
 /// A cell of the table: albedo, directions, roulette.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,11 +8,7 @@ use common::{
 use ray_casting::{camera::Camera, scene::Scene, sphere::Sphere};
 use sampling::sky_light::Choice;
 
-use crate::{
-    material::Material,
-    path_tracer::{Method, PathTracer},
-    world::World,
-};
+use crate::{material::Material, method::Method, path_tracer::PathTracer, world::World};
 
 /// A matte ball under a sky of radiance 1 (scene A1 of the reference set): every pixel is ρ. A sample is 2ρ cosθ, uniform
 /// from 0 to 2ρ, and so the mean of 64 of them is near normal.

@@ -5,11 +5,7 @@ use ray_casting::{ray::Ray, scene::Scene, sphere::Sphere};
 use whitted::{fresnel, material::Material as Smooth};
 
 use super::{camera, furnace::is_right, red};
-use crate::{
-    material::Material,
-    path_tracer::{Method, PathTracer},
-    world::World,
-};
+use crate::{material::Material, method::Method, path_tracer::PathTracer, world::World};
 
 /// Inside a ball of this material.
 fn inside(material: Material) -> PathTracer {

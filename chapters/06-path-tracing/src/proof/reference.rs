@@ -11,12 +11,7 @@ use common::{
 use ray_casting::{camera::Camera, frame::Frame, scene::Scene, sphere::Sphere};
 use whitted::material::Fresnel;
 
-use crate::{
-    material::Material,
-    path_tracer::{Method, PathTracer},
-    pictures::cornell_box,
-    world::World,
-};
+use crate::{material::Material, method::Method, path_tracer::PathTracer, pictures::cornell_box, world::World};
 
 /// The box with two boxes (B3) or a gold ball (C3).
 fn tracer(with_boxes: bool, fresnel: Fresnel) -> PathTracer {

@@ -5,12 +5,7 @@ use ray_casting::{pictures::stage::square, ray::Ray, scene::Scene};
 use sampling::sky_light::Choice;
 
 use super::{camera, furnace::is_right, gray, red};
-use crate::{
-    material::Material,
-    path_tracer::{Method, PathTracer},
-    pictures::room,
-    world::World,
-};
+use crate::{material::Material, method::Method, path_tracer::PathTracer, pictures::room, world::World};
 
 /// A floor under a sky of radiance 1: without roulette the variance of a sample is ρ²/3 and 0; with roulette, which goes on
 /// with probability ρ and then has the weight 2 cosθ or 1, it is `ρ·4/3 − ρ²` and `ρ − ρ²`.

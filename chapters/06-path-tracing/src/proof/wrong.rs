@@ -8,7 +8,8 @@ use super::furnace::{Cell, Glow, cells, is_right, measure, ray};
 use crate::{
     importance::{Step, step},
     material::Material,
-    path_tracer::{Method, PathTracer},
+    method::Method,
+    path_tracer::PathTracer,
 };
 
 /// How a path goes on, with a mistake.

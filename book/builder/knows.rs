@@ -14,7 +14,7 @@ use crate::{
     tokens::{Token, tokens, without_tests},
 };
 
-/// Files and folders at the top of a crate that only put the modules together.
+/// Files and folders at the top of a crate that only put its modules together, or prove them.
 const GLUE: [&str; 5] = ["lib", "main", "bin", "pictures", "proof"];
 
 /// The diagram of a chapter's modules.

@@ -7,6 +7,7 @@ mod events;
 mod layout;
 pub mod split;
 
+use arrayvec::ArrayVec;
 use common::Interval;
 use ray_casting::{aabb::Aabb, ray::Ray};
 
@@ -129,8 +130,7 @@ impl<P: Primitives> Partition<P> for KdTree<P::Entry> {
         let [origin, inverse] = [slabs.origin, slabs.inverse].map(|v| [v.x, v.y, v.z, 0.0]);
         let downward = inverse.map(|inverse| u32::from(inverse < 0.0));
         let hairs = inverse.map(|inverse| hair.copysign(inverse));
-        let mut stack = [Waiting { node: 0, inside }; MAX_DEPTH];
-        let mut waiting = 0;
+        let mut waiting = ArrayVec::<Waiting, MAX_DEPTH>::new();
         let mut number = 0;
         loop {
             query.visit(number);
@@ -152,8 +152,7 @@ impl<P: Primitives> Partition<P> for KdTree<P::Entry> {
                 } else {
                     // It meets both halves: the nearer one first, the other one waits.
                     let farther = Interval::new(greater(earliest, inside.min), inside.max);
-                    stack[waiting] = Waiting { node: far, inside: farther };
-                    waiting += 1;
+                    waiting.push(Waiting { node: far, inside: farther });
                     inside.max = lesser(latest, inside.max);
                     number = near;
                 }
@@ -164,11 +163,8 @@ impl<P: Primitives> Partition<P> for KdTree<P::Entry> {
             }
             // Go on with the half that waited last, unless a hit lies before it.
             loop {
-                if waiting == 0 {
-                    return;
-                }
-                waiting -= 1;
-                Waiting { node: number, inside } = stack[waiting];
+                let Some(last) = waiting.pop() else { return };
+                Waiting { node: number, inside } = last;
                 if inside.min <= query.range().max {
                     break;
                 }

@@ -17,29 +17,60 @@ use crate::{material::Material, method::Method, path_tracer::PathTracer, world::
 /// # Errors
 /// None, since it has triangles.
 pub fn tracer(with_boxes: bool, method: Method) -> Result<PathTracer, Error> {
+    let builder = mesh(with_boxes);
+    let mut scene = Scene::new();
+    scene.light(PointLight { position: Vec3::new(0.0, 1.75, 0.0), intensity: Rgb::splat(2.0) });
+    if !with_boxes {
+        scene.add("gold", Sphere::new(Vec3::new(0.0, 0.5, 0.0), 0.5), Material::GOLD);
+    }
+    let mesh = (&builder.mesh, Shading::Flat);
+    let world = World::new(scene).with_parts(mesh, &builder.parts, Choice::KdTree, |_, phong| phong.into())?;
+    let camera =
+        Camera::new(Vec3::new(0.0, 1.0, 4.0), Vec3::new(0.0, 1.0, 0.0), Vec3::Y, 38.0).map_err(camera_error)?;
+    Ok(PathTracer { world: Arc::new(world), camera, method })
+}
+
+/// The triangles.
+pub fn mesh(with_boxes: bool) -> Builder {
     let white = Phong::of(Rgb::splat(0.75), 0.0, 1.0);
-    let corner = |x: f32, y: f32, z: f32| Vec3::new(x, y, z);
     let mut builder = Builder::default();
     builder.part("white", white);
-    builder.quad([corner(-1.0, 0.0, -1.0), corner(-1.0, 0.0, 1.0), corner(1.0, 0.0, 1.0), corner(1.0, 0.0, -1.0)]);
-    builder.quad([corner(-1.0, 0.0, -1.0), corner(1.0, 0.0, -1.0), corner(1.0, 2.0, -1.0), corner(-1.0, 2.0, -1.0)]);
-    builder.quad([corner(-1.0, 2.0, -1.0), corner(1.0, 2.0, -1.0), corner(1.0, 2.0, 1.0), corner(-1.0, 2.0, 1.0)]);
+    builder.quad([
+        Vec3::new(-1.0, 0.0, -1.0),
+        Vec3::new(-1.0, 0.0, 1.0),
+        Vec3::new(1.0, 0.0, 1.0),
+        Vec3::new(1.0, 0.0, -1.0),
+    ]);
+    builder.quad([
+        Vec3::new(-1.0, 0.0, -1.0),
+        Vec3::new(1.0, 0.0, -1.0),
+        Vec3::new(1.0, 2.0, -1.0),
+        Vec3::new(-1.0, 2.0, -1.0),
+    ]);
+    builder.quad([
+        Vec3::new(-1.0, 2.0, -1.0),
+        Vec3::new(1.0, 2.0, -1.0),
+        Vec3::new(1.0, 2.0, 1.0),
+        Vec3::new(-1.0, 2.0, 1.0),
+    ]);
     if with_boxes {
         boxes(&mut builder);
     }
     builder.part("red", Phong::of(Rgb::new(0.63, 0.065, 0.05), 0.0, 1.0));
-    builder.quad([corner(-1.0, 0.0, -1.0), corner(-1.0, 2.0, -1.0), corner(-1.0, 2.0, 1.0), corner(-1.0, 0.0, 1.0)]);
+    builder.quad([
+        Vec3::new(-1.0, 0.0, -1.0),
+        Vec3::new(-1.0, 2.0, -1.0),
+        Vec3::new(-1.0, 2.0, 1.0),
+        Vec3::new(-1.0, 0.0, 1.0),
+    ]);
     builder.part("green", Phong::of(Rgb::new(0.14, 0.45, 0.091), 0.0, 1.0));
-    builder.quad([corner(1.0, 0.0, -1.0), corner(1.0, 0.0, 1.0), corner(1.0, 2.0, 1.0), corner(1.0, 2.0, -1.0)]);
-    let mut scene = Scene::new();
-    scene.light(PointLight { position: corner(0.0, 1.75, 0.0), intensity: Rgb::splat(2.0) });
-    if !with_boxes {
-        scene.add("gold", Sphere::new(corner(0.0, 0.5, 0.0), 0.5), Material::GOLD);
-    }
-    let mesh = (&builder.mesh, Shading::Flat);
-    let world = World::new(scene).with_parts(mesh, &builder.parts, Choice::KdTree, |_, phong| phong.into())?;
-    let camera = Camera::new(corner(0.0, 1.0, 4.0), corner(0.0, 1.0, 0.0), Vec3::Y, 38.0).map_err(camera_error)?;
-    Ok(PathTracer { world: Arc::new(world), camera, method })
+    builder.quad([
+        Vec3::new(1.0, 0.0, -1.0),
+        Vec3::new(1.0, 0.0, 1.0),
+        Vec3::new(1.0, 2.0, 1.0),
+        Vec3::new(1.0, 2.0, -1.0),
+    ]);
+    builder
 }
 
 /// Two boxes by the four corners of their upper sides.

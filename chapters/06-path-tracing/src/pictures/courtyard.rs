@@ -46,6 +46,14 @@ pub(super) const PICTURE: Picture = Picture {
 };
 
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
+    Ok(Box::new(tracer(settings)?))
+}
+
+/// The court, with these knobs.
+///
+/// # Errors
+/// [`Error::Picture`] if the knobs leave no direction to look in.
+pub fn tracer(settings: &Settings) -> Result<PathTracer, Error> {
     let values = &settings.values;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the knob's range is smaller")]
     let model = (court::GENERATOR.make)(values.number(&TRIANGLES) as u32);
@@ -53,7 +61,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let world =
         World::new(scene()).with_parts((&model.mesh, model.shading), &model.parts, choice, |_, phong| phong.into())?;
     let camera = Camera::orbited(EYE, LOOKAT, FIELD_OF_VIEW, values).map_err(camera_error)?;
-    Ok(Box::new(PathTracer { world: Arc::new(world), camera, method: method(settings, [&ROULETTE, &BOUNCES]) }))
+    Ok(PathTracer { world: Arc::new(world), camera, method: method(settings, [&ROULETTE, &BOUNCES]) })
 }
 
 /// Who looks.

@@ -14,10 +14,7 @@ pub(super) const STEPS: Picture = picture(
      ball becomes gold. Lower right, with roulette: as bright, with more grain, for less than a third of the rays.",
     Size::of::<960, 706>(),
     |settings| {
-        let plain = Method { bounces: 0..=PLAIN_BOUNCES, ..Method::PLAIN };
-        let direct = Method { direct: true, ..plain.clone() };
-        let important = Method { choice: Choice::CosineAndMirror, ..direct.clone() };
-        let roulette = Method { roulette: true, bounces: Method::BEST.bounces, ..important.clone() };
+        let [plain, direct, important, roulette] = methods();
         let panel = |method: Method, title: &str, caption: &str| (method, 8, title.into(), caption.into());
         sheet(
             settings,
@@ -34,7 +31,16 @@ pub(super) const STEPS: Picture = picture(
 );
 
 /// Where walks are cut off that nothing else ends.
-pub(super) const PLAIN_BOUNCES: u32 = 10;
+pub const PLAIN_BOUNCES: u32 = 10;
+
+/// The steps: each has one idea more than the one before.
+#[must_use]
+pub fn methods() -> [Method; 4] {
+    let plain = Method { bounces: 0..=PLAIN_BOUNCES, ..Method::PLAIN };
+    let direct = Method { direct: true, ..plain.clone() };
+    let important = Method { choice: Choice::CosineAndMirror, ..direct.clone() };
+    [plain, direct, important, Method::BEST]
+}
 
 pub(super) const ROULETTE: Picture = picture(
     "roulette",

@@ -17,8 +17,8 @@ use space_partitioning::{choice::Choice, scenes::court};
 use super::knobs::{self, DIRECT, SAMPLING, method};
 use crate::{material::Material, path_tracer::PathTracer, world::World};
 
-/// In the open most light comes after few bounces. Paths cut off here lack about a hundredth of it, and without roulette
-/// they have much less grain.
+/// In the open most light comes after few bounces. Paths cut off here lack three thousandths of it, and without roulette they
+/// have less grain.
 const ROULETTE: Knob = knobs::roulette(false);
 const BOUNCES: Knob = knobs::bounces(6.0);
 /// How many triangles the court has.

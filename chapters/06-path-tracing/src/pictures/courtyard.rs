@@ -35,9 +35,9 @@ const STRUCTURE: Knob = Knob::choice("structure", "what finds the triangles", &C
 
 pub(super) const PICTURE: Picture = Picture {
     name: "courtyard",
-    alt: "A court with two storeys of arches on white columns, in the sun on the left and in blue shade on the right. A \
+    alt: "A court with two storeys of arches on white columns, in the sun on the left and in the shade on the right. A \
           great golden ball rests on the fountain in its middle and mirrors the court, the sky, and the banners. The \
-          sunlit floor lights the vaults of the galleries from below, and the banners tinge the walls behind them.",
+          vaults of the galleries, which no sun reaches, are lit from below.",
     knobs: &[TRIANGLES, STRUCTURE, SAMPLING, DIRECT, ROULETTE, BOUNCES, ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 540>(),
     samples: 16,

@@ -8,10 +8,11 @@ use crate::method::Method;
 
 pub(super) const STEPS: Picture = picture(
     "steps",
-    "The room four times with 8 samples per pixel. Upper left, the plain random walk: dark, with scattered bright \
-     dots, since the lamp is a small ball that few paths find, and the gold ball is black. Upper right, with direct \
-     light: the lamp's light and shadows are smooth. Lower left, with importance sampling: less grain, and the black \
-     ball becomes gold. Lower right, with roulette: as bright, with more grain, for less than a third of the rays.",
+    "The room four times with 8 samples per pixel. Upper left, the plain random walk: dark, and all of it bright and \
+     black dots; the lamp is a small white ball that few paths find, and the gold ball is black. Upper right, with \
+     direct light: brighter, and what the lamp lights is calm. Lower left, with importance sampling: less grain, and \
+     the black ball becomes gold. Lower right, with roulette: as bright, with more grain, for less than a third of the \
+     rays.",
     Size::of::<960, 706>(),
     |settings| {
         let [plain, direct, important, roulette] = methods();
@@ -44,9 +45,9 @@ pub fn methods() -> [Method; 4] {
 
 pub(super) const ROULETTE: Picture = picture(
     "roulette",
-    "The room three times with 32 samples per pixel. Left, without roulette and with at most 3 bounces: less grain, \
-     but too dark, above all in the corners and on the ceiling. Middle, with at most 10 bounces: as bright as it \
-     should be. Right, with roulette: just as bright, with more grain.",
+    "The room three times with 32 samples per pixel. Left, without roulette and with at most 3 bounces: too dark, above \
+     all in the corners and on the ceiling. Middle, with at most 10 bounces: as bright as it should be. Right, with \
+     roulette: just as bright, with more grain.",
     Size::of::<960, 258>(),
     |settings| {
         let cut = |most| Method { roulette: false, bounces: 0..=most, ..Method::BEST };

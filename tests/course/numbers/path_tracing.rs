@@ -305,7 +305,7 @@ fn furnaces(numbers: &mut Numbers) {
     numbers.about("The dark half of half a furnace: on paper, and measured with three standard errors.");
     for albedo in [0.5, 0.8] {
         let cell = Cell { albedo, choice: Choice::Uniform, roulette: true };
-        numbers.pin(&format!("half-{:.0}", 100.0 * albedo), figures(cell.expected(Glow::Half)));
+        numbers.pin(&format!("half-{:.0}", 100.0 * albedo), format!("{:.3}", cell.expected(Glow::Half)));
     }
     for cell in furnace::cells() {
         let estimate = furnace::measure(cell, Glow::Half, furnace::traced).unwrap();

@@ -1,7 +1,5 @@
 //! The numbers of chapter 5.
 
-#![expect(clippy::disallowed_methods, reason = "f64 has digits to spare: its last bits do not matter here")]
-
 use std::f64::consts::FRAC_PI_4;
 
 use common::{Basis, Stream, Vec3, picture::Settings};

@@ -173,11 +173,7 @@ fn steps_compared(numbers: &mut Numbers) {
     let mut variances = Vec::new();
     for (name, method) in ["walk", "direct", "important", "roulette"].into_iter().zip(steps::methods()) {
         // Rare bright paths make the first and the last uncertain.
-        let samples = match name {
-            "walk" => 256,
-            "roulette" => 512,
-            _ => 32,
-        };
+        let samples = if matches!(name, "walk" | "roulette") { 128 } else { 32 };
         let view = View::of_room(method).matte();
         let brightness = |ray, random: &mut Stream| luminance(view.tracer.trace(ray, random, &mut Untold)).into();
         let pixels = view.estimates(samples, 74, brightness);

@@ -42,7 +42,8 @@ fn modules(house: &House, place: &str) -> Result<Graph, String> {
         if file == "lib.rs" {
             library.clone_from(&text);
         }
-        if !GLUE.contains(&module.as_str()) {
+        // The tests of a module may have a file of their own.
+        if !GLUE.contains(&module.as_str()) && !file.ends_with("/tests.rs") {
             let is_below_root = !file.contains('/') || file == format!("{module}/mod.rs");
             sources.entry(module).or_default().push((is_below_root, text));
         }
@@ -162,6 +163,7 @@ mod tests {
             .write("chapters/01-toy/src/ball.rs", "use crate::{Touch}; fn f() -> &'static str { \"crate::scene::S\" }");
         fixture.write("chapters/01-toy/src/scene/mod.rs", "use super::ball::Ball; mod light;");
         fixture.write("chapters/01-toy/src/scene/light.rs", "fn f(ray: &crate::ray::Ray) {}");
+        fixture.write("chapters/01-toy/src/ray/tests.rs", "use crate::{ball::Ball, scene};");
         fixture.write("chapters/01-toy/src/pictures/mod.rs", "use crate::scene;");
         let graph = modules(&fixture.house(), "chapters/01-toy/src").unwrap();
         assert_eq!(graph.names, ["ball", "ray", "scene"]);

@@ -2,6 +2,7 @@
 //!
 //! `UPDATE_NUMBERS=1 cargo test -p tests numbers` writes them anew.
 
+mod path_tracing;
 mod ray_casting;
 mod sampling;
 mod shadows;
@@ -43,6 +44,20 @@ fn grouped(n: u32) -> String {
     if millions == 0 { format!("{thousands},{ones:03}") } else { format!("{millions},{thousands:03},{ones:03}") }
 }
 
+/// Two digits that count.
+#[expect(clippy::disallowed_methods, reason = "f64 has digits to spare: its last bits do not matter here")]
+fn figures(x: f64) -> String {
+    let magnitude = x.abs().log10().floor() as i32 - 1;
+    let unit = 10_f64.powi(magnitude);
+    let decimals = usize::try_from(-magnitude).unwrap_or(0);
+    format!("{:.decimals$}", if magnitude > 0 { (x / unit).round() * unit } else { x })
+}
+
+/// With the minus sign of the book.
+fn signed(x: f64) -> String {
+    format!("{x:.2}").replace('-', "−")
+}
+
 #[test]
 fn numbers_are_pinned() {
     let chapters = [
@@ -51,6 +66,7 @@ fn numbers_are_pinned() {
         ("whitted", whitted::measured()),
         ("space-partitioning", space_partitioning::measured()),
         ("sampling", sampling::measured()),
+        ("path-tracing", path_tracing::measured()),
     ];
     for (chapter, measured) in chapters {
         let file = format!("numbers/{chapter}.txt");

@@ -14,9 +14,8 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use path_tracing::{
     method::Method,
     path_tracer::PathTracer,
-    pictures::{cornell_box, room},
+    pictures::{cornell_box, room, steps},
 };
-use sampling::sky_light::Choice;
 
 /// Paths of one measurement.
 const PATHS: u64 = 4096;
@@ -36,14 +35,8 @@ fn trace(tracer: &PathTracer) -> f32 {
 fn paths(c: &mut Criterion) {
     let mut group = c.benchmark_group("paths");
     group.throughput(Throughput::Elements(PATHS)).sample_size(20);
-    let plain = Method { bounces: 0..=10, ..Method::PLAIN };
-    let methods = [
-        ("random walk, 10 bounces", plain.clone()),
-        ("direct light, 10 bounces", Method { direct: true, ..plain.clone() }),
-        ("importance sampling, 10 bounces", Method { direct: true, choice: Choice::CosineAndMirror, ..plain }),
-        ("roulette", Method::BEST),
-    ];
-    for (name, method) in methods {
+    let names = ["random walk", "+ direct light", "+ importance sampling", "+ roulette"];
+    for (name, method) in names.into_iter().zip(steps::methods()) {
         if let Ok(tracer) = room::tracer(method, &Settings::default()) {
             group.bench_function(format!("room, {name}"), |b| b.iter(|| trace(black_box(&tracer))));
         }

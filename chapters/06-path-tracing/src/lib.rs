@@ -3,6 +3,7 @@
 //! Each idea of the chapter has a file of its own, named after it. The pictures are in [`pictures`].
 
 pub mod direct_light;
+pub mod experiments;
 pub mod importance;
 pub mod material;
 pub mod method;

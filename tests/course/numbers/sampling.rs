@@ -1,7 +1,5 @@
 //! The numbers of chapter 5.
 
-#![expect(clippy::disallowed_methods, reason = "f64 has digits to spare: its last bits do not matter here")]
-
 use std::f64::consts::FRAC_PI_4;
 
 use common::{Basis, Stream, Vec3, picture::Settings};
@@ -22,7 +20,7 @@ use sampling::{
     unit_square::sample_unit_square,
 };
 
-use super::{Numbers, grouped};
+use super::{Numbers, figures, grouped, signed};
 
 /// A quarter of the unit circle: a curve whose area is known.
 const QUARTER: Integral = Integral {
@@ -35,17 +33,6 @@ const QUARTER: Integral = Integral {
 /// A share in per cent with two decimals.
 fn percent(share: f64) -> String {
     format!("{:.2} %", 100.0 * share)
-}
-
-/// Two digits that count.
-fn figures(x: f64) -> String {
-    let decimals = usize::try_from((1.0 - x.abs().log10().floor()) as i64).unwrap_or(0);
-    format!("{x:.decimals$}")
-}
-
-/// With the minus sign of the book.
-fn signed(x: f64) -> String {
-    format!("{x:.2}").replace('-', "−")
 }
 
 pub(super) fn measured() -> String {

@@ -32,8 +32,8 @@ pub(super) const fn picture(
 
 pub(super) const SAMPLES: Picture = picture(
     "samples",
-    "The room three times, with 1, 10 and 100 samples per pixel. With 1 it is a cloud of dots in which the walls, the \
-     block and the ball can just be told apart; with 10 all things are there under coarse grain; with 100 the grain \
+    "The room three times, with 1, 10 and 100 samples per pixel. With 1 the light of the lamp is there, strewn with white \
+     dots, and what the lamp does not reach is nearly black; with 10 all is there under coarse grain; with 100 the grain \
      is fine.",
     Size::of::<960, 258>(),
     |settings| {
@@ -72,7 +72,7 @@ const EQUAL_TIME: u32 = 15;
 pub(super) const LOCAL: Picture = picture(
     "local-and-global",
     "The room twice. Left, local illumination, light that was reflected at most once: the ball is black but for the \
-     panel in it, the ceiling is lit on the left by the lamp alone, and the crystals' shadow is nearly black. Right, \
+     panel in it, the ceiling is lit on the left by the lamp alone, and the ball's shadow is nearly black. Right, \
      global illumination: the ceiling and all shadows are filled, the white things are tinged red and blue, and the \
      ball shows the whole room.",
     Size::of::<960, 356>(),
@@ -94,7 +94,7 @@ pub(super) const LOCAL: Picture = picture(
 pub(super) const BOUNCES: Picture = picture(
     "bounces",
     "The room six times. With 0 bounces only the panel is there, which sends out light itself. Light of exactly one \
-     bounce has deep shadows, a ceiling that only the lamp reaches, and a black ball with panel and lamp in it. Of \
+     bounce has deep shadows, a ceiling that only the lamp reaches, and a black ball with the panel in it. Of \
      two bounces it is dimmer and fills the shadows, and the ball is gold; of three dimmer again; of four and more, \
      dim reddish grain. The sixth is the sum of all.",
     Size::of::<960, 510>(),

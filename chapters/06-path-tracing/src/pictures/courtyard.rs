@@ -17,8 +17,8 @@ use space_partitioning::{choice::Choice, scenes::court};
 use super::knobs::{self, DIRECT, SAMPLING, method};
 use crate::{material::Material, path_tracer::PathTracer, world::World};
 
-/// In the open most light comes after few bounces. Paths cut off here lack about a hundredth of it, and without roulette
-/// they have much less grain.
+/// In the open most light comes after few bounces. Paths cut off here lack three thousandths of it, and without roulette they
+/// have less grain.
 const ROULETTE: Knob = knobs::roulette(false);
 const BOUNCES: Knob = knobs::bounces(6.0);
 /// How many triangles the court has.
@@ -35,9 +35,9 @@ const STRUCTURE: Knob = Knob::choice("structure", "what finds the triangles", &C
 
 pub(super) const PICTURE: Picture = Picture {
     name: "courtyard",
-    alt: "A court with two storeys of arches on white columns, in the sun on the left and in blue shade on the right. A \
+    alt: "A court with two storeys of arches on white columns, in the sun on the left and in the shade on the right. A \
           great golden ball rests on the fountain in its middle and mirrors the court, the sky, and the banners. The \
-          sunlit floor lights the vaults of the galleries from below, and the banners tinge the walls behind them.",
+          vaults of the galleries, which no sun reaches, are lit from below.",
     knobs: &[TRIANGLES, STRUCTURE, SAMPLING, DIRECT, ROULETTE, BOUNCES, ORBIT[0], ORBIT[1], ORBIT[2]],
     size: Size::of::<960, 540>(),
     samples: 16,
@@ -46,6 +46,14 @@ pub(super) const PICTURE: Picture = Picture {
 };
 
 fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
+    Ok(Box::new(tracer(settings)?))
+}
+
+/// The court, with these knobs.
+///
+/// # Errors
+/// [`Error::Picture`] if the knobs leave no direction to look in.
+pub fn tracer(settings: &Settings) -> Result<PathTracer, Error> {
     let values = &settings.values;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the knob's range is smaller")]
     let model = (court::GENERATOR.make)(values.number(&TRIANGLES) as u32);
@@ -53,7 +61,7 @@ fn make(settings: &Settings) -> Result<Box<dyn Render>, Error> {
     let world =
         World::new(scene()).with_parts((&model.mesh, model.shading), &model.parts, choice, |_, phong| phong.into())?;
     let camera = Camera::orbited(EYE, LOOKAT, FIELD_OF_VIEW, values).map_err(camera_error)?;
-    Ok(Box::new(PathTracer { world: Arc::new(world), camera, method: method(settings, [&ROULETTE, &BOUNCES]) }))
+    Ok(PathTracer { world: Arc::new(world), camera, method: method(settings, [&ROULETTE, &BOUNCES]) })
 }
 
 /// Who looks.

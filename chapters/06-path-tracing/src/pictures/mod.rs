@@ -2,11 +2,11 @@
 
 mod comparisons;
 pub mod cornell_box;
-mod courtyard;
+pub mod courtyard;
 mod knobs;
 pub mod room;
 mod sheet;
-mod steps;
+pub mod steps;
 
 use common::picture::Chapter;
 

@@ -8,16 +8,14 @@ use crate::method::Method;
 
 pub(super) const STEPS: Picture = picture(
     "steps",
-    "The room four times with 8 samples per pixel. Upper left, the plain random walk: dark, with scattered bright \
-     dots, since the lamp is a small ball that few paths find, and the gold ball is black. Upper right, with direct \
-     light: the lamp's light and shadows are smooth. Lower left, with importance sampling: less grain, and the black \
-     ball becomes gold. Lower right, with roulette: as bright, with more grain, for less than a third of the rays.",
+    "The room four times with 8 samples per pixel. Upper left, the plain random walk: dark, and all of it bright and \
+     black dots; the lamp is a small white ball that few paths find, and the gold ball is black. Upper right, with \
+     direct light: brighter, and what the lamp lights is calm. Lower left, with importance sampling: less grain, and \
+     the black ball becomes gold. Lower right, with roulette: as bright, with more grain, for less than a third of the \
+     rays.",
     Size::of::<960, 706>(),
     |settings| {
-        let plain = Method { bounces: 0..=PLAIN_BOUNCES, ..Method::PLAIN };
-        let direct = Method { direct: true, ..plain.clone() };
-        let important = Method { choice: Choice::CosineAndMirror, ..direct.clone() };
-        let roulette = Method { roulette: true, bounces: Method::BEST.bounces, ..important.clone() };
+        let [plain, direct, important, roulette] = methods();
         let panel = |method: Method, title: &str, caption: &str| (method, 8, title.into(), caption.into());
         sheet(
             settings,
@@ -34,13 +32,22 @@ pub(super) const STEPS: Picture = picture(
 );
 
 /// Where walks are cut off that nothing else ends.
-pub(super) const PLAIN_BOUNCES: u32 = 10;
+pub const PLAIN_BOUNCES: u32 = 10;
+
+/// The steps: each has one idea more than the one before.
+#[must_use]
+pub fn methods() -> [Method; 4] {
+    let plain = Method { bounces: 0..=PLAIN_BOUNCES, ..Method::PLAIN };
+    let direct = Method { direct: true, ..plain.clone() };
+    let important = Method { choice: Choice::CosineAndMirror, ..direct.clone() };
+    [plain, direct, important, Method::BEST]
+}
 
 pub(super) const ROULETTE: Picture = picture(
     "roulette",
-    "The room three times with 32 samples per pixel. Left, without roulette and with at most 3 bounces: less grain, \
-     but too dark, above all in the corners and on the ceiling. Middle, with at most 10 bounces: as bright as it \
-     should be. Right, with roulette: just as bright, with more grain.",
+    "The room three times with 32 samples per pixel. Left, without roulette and with at most 3 bounces: too dark, above \
+     all in the corners and on the ceiling. Middle, with at most 10 bounces: as bright as it should be. Right, with \
+     roulette: just as bright, with more grain.",
     Size::of::<960, 258>(),
     |settings| {
         let cut = |most| Method { roulette: false, bounces: 0..=most, ..Method::BEST };

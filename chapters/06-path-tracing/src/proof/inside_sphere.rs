@@ -2,16 +2,21 @@
 
 use common::{Rgb, Vec3};
 use ray_casting::{ray::Ray, scene::Scene, sphere::Sphere};
-use whitted::{fresnel, material::Material as Smooth};
+use whitted::material::Material as Smooth;
 
-use super::{camera, furnace::is_right, red};
-use crate::{material::Material, method::Method, path_tracer::PathTracer, world::World};
+use super::red;
+use crate::{
+    experiments::{coat, estimate, is_right, tracer},
+    material::Material,
+    method::Method,
+    path_tracer::PathTracer,
+};
 
 /// Inside a ball of this material.
 fn inside(material: Material) -> PathTracer {
     let mut scene = Scene::new();
     scene.add("wall", Sphere::new(Vec3::ZERO, 2.0), material);
-    PathTracer { world: World::new(scene).into(), camera: camera(), method: Method::BEST }
+    tracer(scene, Method::BEST).unwrap()
 }
 
 /// Scene G1 of the reference set: `Le/(1 − ρ)` in each channel.
@@ -20,9 +25,8 @@ fn all_channels_have_their_own_series() {
     let tracer = inside(Material { emission: Rgb::new(1.0, 0.5, 0.1), ..Material::matte(Rgb::new(0.5, 0.7, 0.9)) });
     let ray = Ray::new(Vec3::new(0.3, 0.1, -0.2), Vec3::new(0.7, 0.3, 0.7).normalize());
     for (channel, expected) in [2.0, 5.0 / 3.0, 1.0].into_iter().enumerate() {
-        let estimate = super::estimate(100_000, 62, |random| {
-            tracer.trace(ray, random, &mut common::story::Untold)[channel].into()
-        });
+        let estimate =
+            estimate(100_000, 62, |random| tracer.trace(ray, random, &mut common::story::Untold)[channel].into());
         assert!(is_right(&estimate, expected), "channel {channel}: {estimate:?}, not {expected}");
     }
 }
@@ -33,23 +37,17 @@ fn all_channels_have_their_own_series() {
 #[test]
 fn matte_and_mirror_together_have_their_closed_form() {
     const ALBEDO: f32 = 0.3;
-    let smooth = Smooth::metal(Rgb::splat(1.5), Rgb::ZERO);
+    const INDEX: f32 = 1.5;
+    let smooth = Smooth::metal(Rgb::splat(INDEX), Rgb::ZERO);
     let tracer = inside(Material { emission: Rgb::ONE, mirror: Some(smooth), ..Material::matte(Rgb::splat(ALBEDO)) });
-    let reflectance = |cosine: f64| {
-        #[expect(clippy::cast_possible_truncation)]
-        let cosine = cosine as f32;
-        f64::from(fresnel::exact(cosine, 1.5, 0.0))
-    };
-    const STEPS: u32 = 100_000;
-    let cosine = |i: u32| (f64::from(i) + 0.5) / f64::from(STEPS);
-    let g: f64 = (0..STEPS).map(|i| 2.0 * cosine(i) / (1.0 - reflectance(cosine(i)))).sum::<f64>() / f64::from(STEPS);
+    let g = coat::gathered(INDEX);
     let albedo = f64::from(ALBEDO);
     let e = g / (1.0 - albedo * g);
     for offset in [0.0_f32, 1.0, 1.7, 1.95] {
         // A ray at this distance from the middle meets the wall with sinθ = offset/2.
         let ray = Ray::new(Vec3::Y * offset, Vec3::X);
         let theta = (1.0 - f64::from(offset * offset) / 4.0).sqrt();
-        let expected = (1.0 + albedo * e) / (1.0 - reflectance(theta));
+        let expected = (1.0 + albedo * e) / (1.0 - coat::reflectance(INDEX, theta));
         let estimate = red(&tracer, ray, 400_000, 63);
         assert!(is_right(&estimate, expected), "cosθ = {theta}: {estimate:?}, not {expected}");
     }

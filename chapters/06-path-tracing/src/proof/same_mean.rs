@@ -1,11 +1,17 @@
 //! Uniform and cosine-distributed directions: the same mean, and the variances that theory says.
 
-use common::Vec3;
+use common::{Vec3, picture::Settings};
 use ray_casting::{pictures::stage::square, ray::Ray, scene::Scene};
 use sampling::sky_light::Choice;
 
-use super::{camera, furnace::is_right, gray, red};
-use crate::{material::Material, method::Method, path_tracer::PathTracer, pictures::room, world::World};
+use super::{gray, red};
+use crate::{
+    experiments::{is_right, tracer},
+    material::Material,
+    method::Method,
+    path_tracer::PathTracer,
+    pictures::room,
+};
 
 /// A floor under a sky of radiance 1: without roulette the variance of a sample is ρ²/3 and 0; with roulette, which goes on
 /// with probability ρ and then has the weight 2 cosθ or 1, it is `ρ·4/3 − ρ²` and `ρ − ρ²`.
@@ -24,8 +30,7 @@ fn variances_are_as_computed() {
         scene.surround(gray(1.0));
         scene.add("floor", square(0.0, 5.0).unwrap(), Material::matte(gray(albedo)));
         let method = Method { choice, roulette, ..Method::BEST };
-        let tracer = PathTracer { world: World::new(scene).into(), camera: camera(), method };
-        let estimate = red(&tracer, Ray::new(Vec3::Y, Vec3::new(0.6, -0.8, 0.0)), 200_000, 64);
+        let estimate = red(&tracer(scene, method).unwrap(), Ray::new(Vec3::Y, Vec3::new(0.6, -0.8, 0.0)), 200_000, 64);
         assert!(is_right(&estimate, rho), "{choice:?}, roulette {roulette}: {estimate:?}");
         assert!((estimate.variance() - variance).abs() < 0.01, "{choice:?}, roulette {roulette}: {estimate:?}");
     }
@@ -40,7 +45,7 @@ fn all_ways_agree_in_the_room() {
     let measure = |choice, roulette| {
         let bounces = if roulette { Method::BEST.bounces } else { 0..=60 };
         let method = Method { choice, roulette, bounces, ..Method::BEST };
-        let tracer = PathTracer { world: world.clone(), camera: camera(), method };
+        let tracer = PathTracer { world: world.clone(), camera: room::view(&Settings::default()).unwrap(), method };
         red(&tracer, ray, if roulette { 80_000 } else { 20_000 }, 65)
     };
     let cosine = measure(Choice::CosineAndMirror, false);

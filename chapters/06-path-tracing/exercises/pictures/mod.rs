@@ -5,6 +5,8 @@
 
 #[path = "3-depth-of-field.rs"]
 pub(crate) mod depth_of_field;
+#[path = "5-stratified-paths.rs"]
+pub(crate) mod stratified_paths;
 
 use common::picture::{Chapter, Picture};
 

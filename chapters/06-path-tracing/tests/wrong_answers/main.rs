@@ -5,6 +5,8 @@
 mod checks;
 
 mod depth_of_field;
+mod path_points;
+mod stratified_paths;
 
 use common::exercise::Verdict;
 

@@ -11,6 +11,15 @@ use space_partitioning::{choice::Choice, scenes::builder::Builder};
 
 use crate::{material::Material, method::Method, path_tracer::PathTracer, world::World};
 
+/// Where the eye is.
+pub const EYE: Vec3 = Vec3::new(0.0, 1.0, 4.0);
+/// Where it looks.
+pub const AIM: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+/// The angle that the height of a square picture spans, in degrees.
+pub const FIELD_OF_VIEW: f32 = 38.0;
+/// The lamp below the ceiling.
+pub const LAMP: PointLight = PointLight { position: Vec3::new(0.0, 1.75, 0.0), intensity: Rgb::splat(2.0) };
+
 /// Scene B3 is a box of 2×2×2, open in front, with a red wall on the left, a green one on the right, two boxes in it, and a
 /// point light of intensity 2 below the ceiling. Scene C3 has a gold ball in place of the boxes.
 ///
@@ -19,57 +28,32 @@ use crate::{material::Material, method::Method, path_tracer::PathTracer, world::
 pub fn tracer(with_boxes: bool, method: Method) -> Result<PathTracer, Error> {
     let builder = mesh(with_boxes);
     let mut scene = Scene::new();
-    scene.light(PointLight { position: Vec3::new(0.0, 1.75, 0.0), intensity: Rgb::splat(2.0) });
+    scene.light(LAMP);
     if !with_boxes {
         scene.add("gold", Sphere::new(Vec3::new(0.0, 0.5, 0.0), 0.5), Material::GOLD);
     }
     let mesh = (&builder.mesh, Shading::Flat);
     let world = World::new(scene).with_parts(mesh, &builder.parts, Choice::KdTree, |_, phong| phong.into())?;
-    let camera =
-        Camera::new(Vec3::new(0.0, 1.0, 4.0), Vec3::new(0.0, 1.0, 0.0), Vec3::Y, 38.0).map_err(camera_error)?;
+    let camera = Camera::new(EYE, AIM, Vec3::Y, FIELD_OF_VIEW).map_err(camera_error)?;
     Ok(PathTracer { world: Arc::new(world), camera, method })
 }
 
-/// The triangles.
+/// Its triangles, in parts of one color each.
+#[must_use]
 pub fn mesh(with_boxes: bool) -> Builder {
-    let white = Phong::of(Rgb::splat(0.75), 0.0, 1.0);
+    let corner = |x: f32, y: f32, z: f32| Vec3::new(x, y, z);
     let mut builder = Builder::default();
-    builder.part("white", white);
-    builder.quad([
-        Vec3::new(-1.0, 0.0, -1.0),
-        Vec3::new(-1.0, 0.0, 1.0),
-        Vec3::new(1.0, 0.0, 1.0),
-        Vec3::new(1.0, 0.0, -1.0),
-    ]);
-    builder.quad([
-        Vec3::new(-1.0, 0.0, -1.0),
-        Vec3::new(1.0, 0.0, -1.0),
-        Vec3::new(1.0, 2.0, -1.0),
-        Vec3::new(-1.0, 2.0, -1.0),
-    ]);
-    builder.quad([
-        Vec3::new(-1.0, 2.0, -1.0),
-        Vec3::new(1.0, 2.0, -1.0),
-        Vec3::new(1.0, 2.0, 1.0),
-        Vec3::new(-1.0, 2.0, 1.0),
-    ]);
+    builder.part("white", Phong::of(Rgb::splat(0.75), 0.0, 1.0));
+    builder.quad([corner(-1.0, 0.0, -1.0), corner(-1.0, 0.0, 1.0), corner(1.0, 0.0, 1.0), corner(1.0, 0.0, -1.0)]);
+    builder.quad([corner(-1.0, 0.0, -1.0), corner(1.0, 0.0, -1.0), corner(1.0, 2.0, -1.0), corner(-1.0, 2.0, -1.0)]);
+    builder.quad([corner(-1.0, 2.0, -1.0), corner(1.0, 2.0, -1.0), corner(1.0, 2.0, 1.0), corner(-1.0, 2.0, 1.0)]);
     if with_boxes {
         boxes(&mut builder);
     }
     builder.part("red", Phong::of(Rgb::new(0.63, 0.065, 0.05), 0.0, 1.0));
-    builder.quad([
-        Vec3::new(-1.0, 0.0, -1.0),
-        Vec3::new(-1.0, 2.0, -1.0),
-        Vec3::new(-1.0, 2.0, 1.0),
-        Vec3::new(-1.0, 0.0, 1.0),
-    ]);
+    builder.quad([corner(-1.0, 0.0, -1.0), corner(-1.0, 2.0, -1.0), corner(-1.0, 2.0, 1.0), corner(-1.0, 0.0, 1.0)]);
     builder.part("green", Phong::of(Rgb::new(0.14, 0.45, 0.091), 0.0, 1.0));
-    builder.quad([
-        Vec3::new(1.0, 0.0, -1.0),
-        Vec3::new(1.0, 0.0, 1.0),
-        Vec3::new(1.0, 2.0, 1.0),
-        Vec3::new(1.0, 2.0, -1.0),
-    ]);
+    builder.quad([corner(1.0, 0.0, -1.0), corner(1.0, 0.0, 1.0), corner(1.0, 2.0, 1.0), corner(1.0, 2.0, -1.0)]);
     builder
 }
 

@@ -51,7 +51,8 @@ fn gain(answer: Answer, bounces: u32, most: f64) -> Verdict {
     let allowed = SIGMAS * (ours.sigma * ours.sigma + theirs.sigma * theirs.sigma).sqrt();
     let is_near = (ours.mean - theirs.mean).abs() <= allowed;
     if !is_near {
-        let advice = "The mean is wrong. Each sample for itself must be as random as before, whatever the others are.";
+        let advice = "The mean is wrong. Each sample for itself must be as random as before, so which cells go together must be left to \
+                      chance.";
         let expected = format!("on average {:.4} ± {allowed:.4}, as with independent points", ours.mean);
         return Err(Finding { tried, got: format!("on average {:.4}", theirs.mean), expected, advice: advice.into() }
             .named("mean-off"));

@@ -13,10 +13,11 @@
 //! however many pixels you look at. So the second and the third set are shuffled, each by a shuffle of its own. Then every
 //! pair of cells is equally likely, and each set has no gaps.
 //!
-//! From the third bounce on each direction is drawn as always. To stratify it as well would gain next to nothing. One bounce
-//! alone is a smooth question of two dimensions, and a grid answers it well. Light of k bounces is a question of 2k + 2
-//! dimensions. A set of points knows nothing about how *its* numbers go together with those of the others, and the deeper the
-//! path, the more of the noise comes from there.
+//! From the third bounce on each direction is drawn as always. To stratify it as well would gain next to nothing. Why? Light of
+//! one bounce depends on the first direction, and hardly on the place in the small pixel. That is nearly a question of two
+//! dimensions, and a grid answers it well. Light of k bounces depends on k directions *together*. Each set is spread evenly by
+//! itself, but how its numbers go together with those of the others is left to chance. The deeper the path, the more of the
+//! noise comes from there, and no grid of two dimensions takes it away.
 //!
 //! ## Your task
 //!
@@ -34,7 +35,7 @@
 //!   `DirectionSampling::CosineHemisphere.sample(hit.shading_normal, u).direction` gives it. So the weight of the step is
 //!   `material.albedo()`. Nothing ends a path early: no roulette.
 //! - Follow the path by `tracer.walk(ray, random, &mut Untold, next_step)`, as in
-//!   `chapters/06-path-tracing/src/path_tracer.rs`. At each hit it asks your function
+//!   `chapters/06-path-tracing/src/path_tracer.rs`. (`Untold` means that nobody listens.) At each hit it asks your function
 //!   `|material, hit, to_viewer, random, probe|` for the next `Step`, and ends the path when it is long enough. The function
 //!   must count the bounces. It may not change a variable, but it may change what is in a cell:
 //!   `let bounce = Cell::new(0);`, and then `bounce.get()` and `bounce.set(…)`.

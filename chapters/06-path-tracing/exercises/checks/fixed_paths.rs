@@ -156,9 +156,11 @@ fn by_chance(trace: Trace, questions: &[Question]) -> Verdict {
         ours.add(luminance(RIGHT.trace(&tracer, question, &mut Stream::new(71, seed, 0))).into());
     }
     let three_sigma = (ours.three_sigma() * ours.three_sigma() + theirs.three_sigma() * theirs.three_sigma()).sqrt();
+    // What is no number is not near either.
+    let is_near = (ours.mean() - theirs.mean()).abs() <= 1.5 * three_sigma;
     let (name, advice) = if !is_random {
         mistakes::REST_NOT_RANDOM
-    } else if (ours.mean() - theirs.mean()).abs() > 1.5 * three_sigma {
+    } else if !is_near {
         mistakes::REST_BIASED
     } else {
         return Ok(());

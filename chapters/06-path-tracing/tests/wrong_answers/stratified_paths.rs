@@ -183,6 +183,13 @@ fn wrong_bounces() {
         }),
         "rest-wrong"
     );
+    assert_eq!(
+        paths(|t, pixel, points, random| {
+            let radiance = trace(t, pixel, points, random);
+            if *t.method.bounces.end() > 2 && radiance == Rgb::ZERO { Rgb::NAN } else { radiance }
+        }),
+        "rest-wrong"
+    );
 }
 
 /// A path with other directions or weights, by the cosine and the density's weight.

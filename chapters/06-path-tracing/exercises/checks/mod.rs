@@ -10,7 +10,17 @@ pub(crate) mod glass_case;
 mod glass_furnace;
 mod glass_mistakes;
 pub(crate) mod glass_world;
+pub(crate) mod lamp;
+mod lamp_exact;
+mod lamp_light;
+mod lamp_paths;
+mod lamp_points;
+mod lamp_rooms;
+pub(crate) mod lamp_world;
+pub(crate) mod quad;
 mod words;
 
+#[path = "2-area-light.rs"]
+pub(crate) mod area_light;
 #[path = "1-glass.rs"]
 pub(crate) mod glass;

@@ -3,6 +3,8 @@
 
 #![allow(dead_code, reason = "an exercise uses its own picture only")]
 
+#[path = "2-area-light.rs"]
+pub(crate) mod area_light;
 #[path = "1-glass.rs"]
 pub(crate) mod glass;
 

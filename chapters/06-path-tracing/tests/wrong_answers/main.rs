@@ -4,7 +4,9 @@
 #[path = "../../exercises/checks/mod.rs"]
 mod checks;
 
+mod area_light;
 mod glass;
+mod lamp_paths;
 
 use common::exercise::Verdict;
 

@@ -110,7 +110,7 @@ fn one_point(sample_lamp: SampleLamp, lamp: &Lamp, from: Vec3, u: Vec2) -> Resul
 }
 
 /// Why a density is wrong.
-fn density_mistake(seen: &Seen, density: f64) -> (&'static str, &'static str) {
+pub(super) fn density_mistake(seen: &Seen, density: f64) -> (&'static str, &'static str) {
     let Seen { cosine_there: cosine, distance2, area, .. } = *seen;
     let (right, distance) = (seen.density(), distance2.sqrt());
     let is = |other: f64| is_near(density, other, 2e-3 * other.abs());

@@ -6,21 +6,28 @@
 
 #![allow(dead_code, reason = "an exercise uses its own check only")]
 
+pub(crate) mod effort;
 pub(crate) mod glass_case;
 mod glass_furnace;
 mod glass_mistakes;
 pub(crate) mod glass_world;
 pub(crate) mod lamp;
-mod lamp_exact;
+pub(crate) mod lamp_exact;
 mod lamp_light;
 mod lamp_paths;
 mod lamp_points;
 mod lamp_rooms;
 pub(crate) mod lamp_world;
+pub(crate) mod place;
+mod place_densities;
+mod place_samples;
+mod places;
 pub(crate) mod quad;
 mod words;
 
 #[path = "2-area-light.rs"]
 pub(crate) mod area_light;
+#[path = "4-asked-or-found.rs"]
+pub(crate) mod asked_or_found;
 #[path = "1-glass.rs"]
 pub(crate) mod glass;

@@ -5,6 +5,8 @@
 
 #[path = "2-area-light.rs"]
 pub(crate) mod area_light;
+#[path = "4-asked-or-found.rs"]
+pub(crate) mod asked_or_found;
 #[path = "1-glass.rs"]
 pub(crate) mod glass;
 

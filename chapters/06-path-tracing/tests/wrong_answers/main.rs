@@ -5,6 +5,7 @@
 mod checks;
 
 mod area_light;
+mod asked_or_found;
 mod glass;
 mod lamp_paths;
 

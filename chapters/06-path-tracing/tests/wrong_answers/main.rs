@@ -4,7 +4,11 @@
 #[path = "../../exercises/checks/mod.rs"]
 mod checks;
 
+mod area_light;
+mod asked_or_found;
 mod depth_of_field;
+mod glass;
+mod lamp_paths;
 mod path_points;
 mod stratified_paths;
 

@@ -64,7 +64,8 @@ fn figure(
     block.push("<figcaption>\n");
     block.append(caption);
     // As ready HTML, or mdBook makes a dash of the two hyphens.
-    let command = format!("<code class=\"command\">cargo run -p {} -- {name}</code>", chapter.name);
+    let samples = course::poster_samples(chapter.name, picture).map(|n| format!(" --samples {n}")).unwrap_or_default();
+    let command = format!("<code class=\"command\">cargo run -p {} -- {name}{samples}</code>", chapter.name);
     block.push(&format!("\n{}\n\n</figcaption>\n</figure>", output.inline(command)));
     output.pictures.insert(format!("{}/{name}", chapter.name));
     Ok(block)

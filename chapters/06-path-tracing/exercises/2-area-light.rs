@@ -42,7 +42,7 @@
 //!
 //! ## When you are done
 //!
-//! `cargo exercise 6.2` checks your lamp and renders a room in its light. The same room with the lamp found by chance is much noisier.
+//! `cargo exercise 6.2` checks your lamp and renders a stage in its light. With the lamp found by chance it would be much noisier.
 
 use std::process::ExitCode;
 

@@ -6,10 +6,7 @@ use common::{
 };
 
 use super::{
-    effort::efforts,
-    place::Place,
-    place_densities::densities,
-    place_samples::{both, samples},
+    effort::efforts, place::Place, place_densities::densities, place_pairs::both, place_samples::samples,
     places::places,
 };
 

@@ -17,6 +17,9 @@ use super::{
 
 type LampLight = fn(&LampWorld, &Material, &Hit, &mut Stream) -> Rgb;
 
+/// Some quantity of a point of the lamp.
+type Quantity<'q> = &'q dyn Fn(&Seen) -> f64;
+
 /// Samples of each place.
 const COUNT: u64 = 20_000;
 /// Radiance of the lamp and albedo of the surface: each channel has its own.
@@ -90,7 +93,7 @@ fn in_the_open(lamp_light: LampLight, world: &LampWorld, hit: &Hit) -> Verdict {
     if is(scale, right) {
         return Ok(());
     }
-    let by = |quantity: &dyn Fn(&Seen) -> f64| mean(&world.lamp, hit.position, hit.shading_normal, quantity);
+    let by = |quantity: Quantity<'_>| mean(&world.lamp, hit.position, hit.shading_normal, quantity);
     let (name, advice) = light_mistake(&|other| is(scale, other), right, &by);
     let (name, advice) = if is(RADIANCE.to_array().map(f64::from), right) {
         ("surface-forgotten", "k_d is missing: the surface sends on a share only, `material.diffuse`.")
@@ -109,7 +112,7 @@ fn in_the_open(lamp_light: LampLight, world: &LampWorld, hit: &Hit) -> Verdict {
 fn light_mistake(
     is: &dyn Fn(f64) -> bool,
     right: f64,
-    by: &dyn Fn(&dyn Fn(&Seen) -> f64) -> f64,
+    by: &dyn Fn(Quantity<'_>) -> f64,
 ) -> (&'static str, &'static str) {
     use std::f64::consts::PI;
     let seen = |seen: &Seen| f64::from(u8::from(seen.cosine > 0.0));

@@ -216,7 +216,7 @@ fn wrong_combinations() {
     assert_eq!(weights!(|[a, f]| [(a / (a + f)).sqrt(), (f / (a + f)).sqrt()]), "wrong-combination");
 }
 
-/// Right one by one, but not on average: every call of a pair with an odd number gives less.
+/// Right at first, and wrong or noisy when they are asked more often.
 #[test]
 fn ways_that_change() {
     use std::sync::atomic::{AtomicU64, Ordering};

@@ -89,7 +89,7 @@ fn matches_snapshot(chapter: &str, picture: &Picture) {
 /// it would take half an hour, and no pixel depends on another.
 fn poster_matches(chapter: &str, picture: &Picture, samples: u32) -> bool {
     /// One tile in so many is looked at: a prime number, so that they lie all over the picture.
-    const EACH: usize = 37;
+    const EACH: usize = 97;
     let pinned = snapshots().join(chapter).join(format!("{}.snap.png", picture.name));
     let Ok(pinned) = image::open(pinned).map(image::DynamicImage::into_rgb8) else { return false };
     let scene = (picture.make)(&Settings::default()).unwrap();

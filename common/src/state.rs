@@ -57,7 +57,7 @@ pub fn write(path: &Path, origin: &Origin, goal: u32, film: &Film) -> Result<(),
 /// Read the state in a file.
 ///
 /// # Errors
-/// [`Error::State`] for anything but a whole file that [`write`] made, [`Error::Read`] if it cannot be read.
+/// [`Error::State`] for anything but a whole file that [`write()`] made, [`Error::Read`] if it cannot be read.
 pub fn read(path: &Path) -> Result<State, Error> {
     let failed = |e: &io::Error| Error::Read { name: path.display().to_string(), reason: reason(e) };
     if path.is_dir() {

@@ -91,7 +91,7 @@ impl Implicit for Tanglecube {
 
 /// Taubin's heart, `(x² + 9/4·z² + y² − 1)³ − x²y³ − 9/80·z²y³`, standing upright along y.
 ///
-/// Source: Taubin, *Distance Approximations for Rasterizing Implicit Curves*, ACM TOG 13(1), 1994.
+/// Source: Taubin, *Rasterizing Algebraic Curves and Surfaces*, IEEE CG&A 14(2), 1994.
 #[derive(Clone, Copy, Debug)]
 pub struct Heart;
 

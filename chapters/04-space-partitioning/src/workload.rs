@@ -109,7 +109,7 @@ fn film(count: u32) -> [usize; 2] {
 // ANCHOR: cosine
 /// A direction over a matte surface: its probability is in proportion to the cosine of the angle to the normal.
 ///
-/// Source: Malley's method: a point in a disk, lifted up to the hemisphere (PBRT, section A.5.3).
+/// Source: Malley's method: a point in a disc, lifted up to the hemisphere (PBRT, section A.5.3).
 fn cosine_distributed(normal: Vec3, random: &mut Stream) -> Vec3 {
     let radius_squared = random.uniform();
     let angle = std::f32::consts::TAU * random.uniform();

@@ -17,8 +17,8 @@ use common::{
     renderer::{Plan, render},
 };
 use path_tracing::{
+    experiments::cornell_box::{self, AIM, EYE, FIELD_OF_VIEW, LAMP},
     method::Method,
-    pictures::cornell_box::{self, AIM, EYE, FIELD_OF_VIEW, LAMP},
 };
 
 /// Everybody renders this.

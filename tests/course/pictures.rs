@@ -86,7 +86,7 @@ fn matches_snapshot(chapter: &str, picture: &Picture) {
 }
 
 /// Whether a poster is pinned, and some of its tiles, rendered again with all their samples, have the same pixels. All of
-/// it would take half an hour, and no pixel depends on another.
+/// it would take a quarter of an hour, and no pixel depends on another.
 fn poster_matches(chapter: &str, picture: &Picture, samples: u32) -> bool {
     /// One tile in so many is looked at: a prime number, so that they lie all over the picture.
     const EACH: usize = 97;

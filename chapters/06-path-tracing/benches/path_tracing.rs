@@ -12,9 +12,10 @@ use common::{
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use path_tracing::{
+    experiments::cornell_box,
     method::Method,
     path_tracer::PathTracer,
-    pictures::{cornell_box, room, steps},
+    pictures::{room, steps},
 };
 
 /// Paths of one measurement.

@@ -81,16 +81,17 @@ pub fn no_factor_2(
     )
 }
 
-/// Pitfall 18: the roulette survives with the weight of the step as probability, and divides by it, but nobody keeps it
-/// from being greater than 1.
+/// A roulette that survives with the weight of the step as probability, or `most` if that is less, and divides by it.
+fn roulette_by_weight(right: Step, most: f32, random: &mut Stream) -> Option<Step> {
+    let survival = right.weight.max_element().min(most);
+    (random.uniform() < survival).then(|| Step { weight: right.weight / survival, ..right })
+}
+
+/// Pitfall 18: nobody keeps the probability of a roulette by weight from being greater than 1.
 pub fn no_clamp(method: &Method, material: &Material, hit: &Hit, to_viewer: Vec3, random: &mut Stream) -> Option<Step> {
     let without = Method { roulette: false, ..method.clone() };
     let right = step(&without, material, hit, to_viewer, random, &mut Untold)?;
-    if !method.roulette {
-        return Some(right);
-    }
-    let survival = right.weight.max_element();
-    (random.uniform() < survival).then(|| Step { weight: right.weight / survival, ..right })
+    if method.roulette { roulette_by_weight(right, f32::INFINITY, random) } else { Some(right) }
 }
 
 /// The right roulette of the same kind: never more than 1.
@@ -102,7 +103,5 @@ pub fn with_clamp(
     random: &mut Stream,
 ) -> Option<Step> {
     let without = Method { roulette: false, ..method.clone() };
-    let right = step(&without, material, hit, to_viewer, random, &mut Untold)?;
-    let survival = right.weight.max_element().min(1.0);
-    (random.uniform() < survival).then(|| Step { weight: right.weight / survival, ..right })
+    roulette_by_weight(step(&without, material, hit, to_viewer, random, &mut Untold)?, 1.0, random)
 }

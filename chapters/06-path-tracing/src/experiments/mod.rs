@@ -2,6 +2,7 @@
 //! when they are rendered. That it is right is asserted by the tests in `proof`.
 
 pub mod coat;
+pub mod cornell_box;
 pub mod furnace;
 pub mod honest;
 pub mod mistakes;

@@ -10,7 +10,8 @@ use common::{
 };
 use whitted::material::Fresnel;
 
-use crate::{method::Method, path_tracer::PathTracer, pictures::cornell_box};
+use super::cornell_box;
+use crate::{method::Method, path_tracer::PathTracer};
 
 /// A scene that was rendered elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

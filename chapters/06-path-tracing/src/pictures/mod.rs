@@ -1,7 +1,6 @@
 //! The pictures of this chapter.
 
 mod comparisons;
-pub mod cornell_box;
 pub mod courtyard;
 mod knobs;
 pub mod room;

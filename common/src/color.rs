@@ -11,6 +11,7 @@ pub type Rgb = Vec3;
 
 /// Relative luminance of linear RGB: how bright it looks. Source: ITU-R BT.709-6, section 3.2.
 #[must_use]
+#[inline]
 pub fn luminance(color: Rgb) -> f32 {
     color.dot(Vec3::new(0.2126, 0.7152, 0.0722))
 }

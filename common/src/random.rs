@@ -15,12 +15,14 @@ impl Stream {
     /// The three numbers are hashed, because streams of neighboring generator states look alike: they draw
     /// visible streaks over a picture.
     #[must_use]
+    #[inline]
     pub fn new(seed: u64, pixel: u64, sample: u64) -> Self {
         let hash = mix(mix(mix(seed).wrapping_add(pixel)).wrapping_add(sample));
         Self(Pcg32::seed_from_u64(hash))
     }
 
     /// A number of the uniform distribution over `[0, 1)`: a multiple of 2⁻²⁴, the finest step that f32 has near 1.
+    #[inline]
     pub fn uniform(&mut self) -> f32 {
         const STEP: f32 = 1.0 / (1 << 24) as f32;
         #[expect(clippy::cast_precision_loss, reason = "24 bits fit an f32 exactly")]

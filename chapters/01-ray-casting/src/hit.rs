@@ -38,6 +38,7 @@ impl Hit {
     ///
     /// Where there is no normal, as in the tip of a cone, the hit faces the ray.
     #[must_use]
+    #[inline]
     pub fn new(ray: &Ray, t: f32, outward: Vec3) -> Self {
         // Note the side first: once the normal is turned, nobody can tell.
         let side = if outward.dot(ray.direction) > 0.0 { Side::Inside } else { Side::Outside };
@@ -52,6 +53,7 @@ impl Hit {
     // ANCHOR: among
     /// The same hit, computed with the coordinates of `point` too: the center of a sphere, the corner of a triangle.
     #[must_use]
+    #[inline]
     pub fn among(self, point: Vec3) -> Self {
         Self { magnitude: self.magnitude.max(point.abs().max_element()), ..self }
     }
@@ -62,6 +64,7 @@ impl Hit {
     ///
     /// Without a direction, the shading normal stays as it is.
     #[must_use]
+    #[inline]
     pub fn shaded_with(self, outward: Vec3) -> Self {
         let Some(outward) = outward.try_normalize() else { return self };
         let shading_normal = if self.side == Side::Inside { -outward } else { outward };

@@ -2,14 +2,7 @@
 
 use common::{Error, Interval, Vec3, obj::ObjMesh};
 
-use crate::{
-    aabb::Aabb,
-    hit::Hit,
-    ray::Ray,
-    shape::Shape,
-    triangle::{Triangle, TriangleHit},
-    triangle_barycentric::Shear,
-};
+use crate::{aabb::Aabb, hit::Hit, ray::Ray, shape::Shape, triangle::Triangle, triangle_barycentric::Shear};
 
 // ANCHOR: mesh
 /// A surface made of triangles.
@@ -70,6 +63,7 @@ impl Mesh {
 
     /// The box around all vertices.
     #[must_use]
+    #[inline]
     pub fn bounds(&self) -> Aabb {
         self.bounds
     }
@@ -96,6 +90,7 @@ impl Mesh {
     /// # Panics
     /// If there are not so many.
     #[must_use]
+    #[inline]
     pub fn triangle(&self, index: usize) -> Triangle {
         self.with_corners(&self.triangles[index])
     }
@@ -109,15 +104,19 @@ impl Mesh {
 
 impl Mesh {
     // ANCHOR: shaded
-    /// All that is known about the place where a ray hits the triangle of that index.
+    /// All that is known about the place where a ray hits the triangle of that index at `t`.
     #[must_use]
-    pub fn hit(&self, ray: &Ray, index: usize, triangle: &Triangle, hit: &TriangleHit) -> Hit {
-        let flat = Hit::new(ray, hit.t, triangle.normal()).among(triangle.farthest());
+    #[inline]
+    pub fn hit(&self, ray: &Ray, index: usize, t: f32) -> Hit {
+        let triangle = self.triangle(index);
+        let flat = Hit::new(ray, t, triangle.normal()).among(triangle.farthest());
         // Interpolate the normals of the three corners by the weights of the hit.
         match &self.normals {
             VertexNormals::Flat => flat,
             VertexNormals::Smooth { normals, triangles } => {
                 let [n1, n2, n3] = triangles[index].map(|i| normals[i as usize]);
+                let range = Interval::new(t.next_down(), t.next_up());
+                let Some(hit) = triangle.hit_by_barycentric(&Shear::along(ray), range) else { return flat };
                 let [alpha, beta, gamma] = hit.weights;
                 flat.shaded_with(n1 * alpha + n2 * beta + n3 * gamma)
             }
@@ -156,11 +155,11 @@ impl Shape for Mesh {
         for (i, triangle) in self.triangles().enumerate() {
             if let Some(hit) = triangle.hit_by_barycentric(&along, range) {
                 range = range.up_to(hit.t);
-                nearest = Some((i, triangle, hit));
+                nearest = Some((i, hit.t));
             }
         }
-        let (i, triangle, hit) = nearest?;
-        Some(self.hit(ray, i, &triangle, &hit))
+        let (i, t) = nearest?;
+        Some(self.hit(ray, i, t))
     }
     // ANCHOR_END: intersect
 

@@ -73,6 +73,7 @@ impl<Material> Scene<Material> {
     // ANCHOR: occluded
     /// Whether anything at all is hit inside `range`. The first object that is hit answers.
     #[must_use]
+    #[inline]
     pub fn occluded(&self, ray: &Ray, range: Interval) -> bool {
         self.objects.iter().any(|object| object.shape.occluded(ray, range))
     }

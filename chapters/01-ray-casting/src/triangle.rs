@@ -25,6 +25,7 @@ pub struct TriangleHit {
 impl Triangle {
     /// A triangle from its corners, counter-clockwise when seen from outside.
     #[must_use]
+    #[inline]
     pub fn new(r1: Vec3, r2: Vec3, r3: Vec3) -> Self {
         Self { corners: [r1, r2, r3] }
     }
@@ -32,6 +33,7 @@ impl Triangle {
     // ANCHOR: normal
     /// The vector at right angles to the triangle, `(r2 − r1) × (r3 − r1)`; its length is twice the area.
     #[must_use]
+    #[inline]
     pub fn normal(&self) -> Vec3 {
         let [r1, r2, r3] = self.corners;
         (r2 - r1).cross(r3 - r1)
@@ -40,6 +42,7 @@ impl Triangle {
 
     /// For each axis the greatest distance of a corner from the scene's origin.
     #[must_use]
+    #[inline]
     pub fn farthest(&self) -> Vec3 {
         let [r1, r2, r3] = self.corners.map(Vec3::abs);
         r1.max(r2).max(r3)

@@ -15,11 +15,12 @@ use crate::{
 /// The view along one ray: the ray starts in the origin and runs along the third axis with unit speed.
 #[derive(Clone, Copy, Debug)]
 pub struct Shear {
-    origin: Vec3,
+    /// Where the ray starts.
+    pub origin: Vec3,
     /// The axis along which the ray runs fastest.
     main: Axis,
     /// For each unit of the way along that axis: how far the ray runs along the two others, and one over its speed.
-    slope: Vec3,
+    pub slope: Vec3,
 }
 
 /// One of the three axes.
@@ -45,6 +46,7 @@ impl Axis {
 impl Shear {
     /// The view along `ray`.
     #[must_use]
+    #[inline]
     pub fn along(ray: &Ray) -> Self {
         // The third axis is the one along which the ray runs fastest: nothing is divided by a small number.
         let size = ray.direction.abs();
@@ -58,6 +60,17 @@ impl Shear {
         let d = main.last(ray.direction);
         let third = 1.0 / d.z;
         Self { origin: ray.origin, main, slope: Vec3::new(third * d.x, third * d.y, third) }
+    }
+
+    /// The numbers of the axes of the scene that become the first, the second and the third.
+    #[must_use]
+    #[inline]
+    pub fn axes(&self) -> [usize; 3] {
+        match self.main {
+            Axis::X => [1, 2, 0],
+            Axis::Y => [2, 0, 1],
+            Axis::Z => [0, 1, 2],
+        }
     }
 
     /// A point as it looks along the ray.
@@ -83,8 +96,7 @@ impl Triangle {
     #[must_use]
     #[inline(always)]
     pub fn hit_by_barycentric(&self, along: &Shear, range: Interval) -> Option<TriangleHit> {
-        let [r1, r2, r3] = self.corners;
-        let (a, b, c) = (along.view(r1), along.view(r2), along.view(r3));
+        let [a, b, c] = self.corners.map(|corner| along.view(corner));
         // All corners on one side of the ray: it passes by.
         if is_beside(a.x, b.x, c.x) || is_beside(a.y, b.y, c.y) {
             return None;
@@ -94,17 +106,31 @@ impl Triangle {
         if signs_differ([area(c, b), area(a, c), area(b, a)]) {
             return None;
         }
-        // Here, areas may have been rounded to zero, and those of a thin triangle to little more than noise.
-        let [wa, wb, wc] = [exact_area(c, b), exact_area(a, c), exact_area(b, a)];
-        if signs_differ([wa, wb, wc]) {
-            return None;
-        }
-        // Make them sum to one. Corners in one place, and a triangle seen along its plane, have sum zero: t is no number.
-        let sum = wa + wb + wc;
-        let weights = [wa / sum, wb / sum, wc / sum];
-        let t = rounded(weights[0] * f64::from(a.z) + weights[1] * f64::from(b.z) + weights[2] * f64::from(c.z));
-        range.contains(t).then_some(TriangleHit { t, weights: weights.map(rounded) })
+        hit_by_exact_weights([a, b, c], range)
     }
+
+    /// The same without the quick ways to say no: for a triangle that is hit most likely.
+    #[must_use]
+    #[inline(always)]
+    pub fn hit_by_exact_weights(&self, along: &Shear, range: Interval) -> Option<TriangleHit> {
+        hit_by_exact_weights(self.corners.map(|corner| along.view(corner)), range)
+    }
+}
+
+/// The hit of a triangle whose corners are seen like this.
+#[inline(always)]
+fn hit_by_exact_weights([a, b, c]: [Vec3; 3], range: Interval) -> Option<TriangleHit> {
+    // Here, areas may have been rounded to zero, and those of a thin triangle to little more than noise.
+    let [wa, wb, wc] = [exact_area(c, b), exact_area(a, c), exact_area(b, a)];
+    // Here the answer is mostly no: to ask all six, without a branch after each, is faster.
+    if ((wa < 0.0) | (wb < 0.0) | (wc < 0.0)) & ((wa > 0.0) | (wb > 0.0) | (wc > 0.0)) {
+        return None;
+    }
+    // Make them sum to one. Corners in one place, and a triangle seen along its plane, have sum zero: t is no number.
+    let sum = wa + wb + wc;
+    let weights = [wa / sum, wb / sum, wc / sum];
+    let t = rounded(weights[0] * f64::from(a.z) + weights[1] * f64::from(b.z) + weights[2] * f64::from(c.z));
+    range.contains(t).then_some(TriangleHit { t, weights: weights.map(rounded) })
 }
 
 /// Whether three numbers all have the same sign, and none is zero.
@@ -115,9 +141,8 @@ fn is_beside(a: f32, b: f32, c: f32) -> bool {
 
 /// Whether one of three numbers is less than zero and another one greater.
 #[inline(always)]
-fn signs_differ<T: PartialOrd + Default>([a, b, c]: [T; 3]) -> bool {
-    let zero = T::default();
-    (a < zero || b < zero || c < zero) && (a > zero || b > zero || c > zero)
+fn signs_differ([a, b, c]: [f32; 3]) -> bool {
+    (a < 0.0 || b < 0.0 || c < 0.0) && (a > 0.0 || b > 0.0 || c > 0.0)
 }
 
 /// Twice the signed area of the triangle (0, 0), `p`, `q`.

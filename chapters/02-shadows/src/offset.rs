@@ -20,6 +20,7 @@ impl Offset {
     // ANCHOR: origin
     /// Where a ray starts that leaves `hit` toward the side to which the unit vector `normal` points.
     #[must_use]
+    #[inline]
     pub fn origin(self, hit: &Hit, normal: Vec3) -> Vec3 {
         match self {
             Offset::Fixed(epsilon) => hit.position + normal * epsilon,

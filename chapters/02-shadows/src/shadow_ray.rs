@@ -8,6 +8,7 @@ use crate::offset::Offset;
 // ANCHOR: shadow_ray
 /// Whether anything stands between `hit` and the light.
 #[must_use]
+#[inline]
 pub fn is_in_shadow<M>(scene: &Scene<M>, hit: &Hit, light: &Illumination, offset: Offset) -> bool {
     // Start a little above the surface and look toward the light.
     let shadow_ray = Ray::new(offset.origin(hit, hit.geometric_normal), light.direction);

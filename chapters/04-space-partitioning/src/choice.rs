@@ -7,6 +7,7 @@ use ray_casting::{hit::Hit, mesh::Mesh, ray::Ray, shape::Shape};
 
 use crate::{
     every_one::every_one,
+    four_at_once::four_at_once,
     grid::grid,
     kd_tree::{KdTree, kd_tree, split::Rule},
     octree::octree,
@@ -22,6 +23,8 @@ use crate::{
 pub enum Choice {
     /// None: every triangle is tested.
     BruteForce,
+    /// None: every triangle is looked at, but four at once.
+    FourAtOnce,
     /// The regular grid.
     Grid,
     /// The octree.
@@ -34,12 +37,18 @@ pub enum Choice {
 
 impl Choice {
     /// All of them.
-    pub const ALL: [Choice; 5] =
-        [Choice::BruteForce, Choice::Grid, Choice::Octree, Choice::KdTree, Choice::MedianKdTree];
+    pub const ALL: [Choice; 6] =
+        [Choice::BruteForce, Choice::FourAtOnce, Choice::Grid, Choice::Octree, Choice::KdTree, Choice::MedianKdTree];
     /// The three that the chapter teaches.
     pub const STRUCTURES: [Choice; 3] = [Choice::Grid, Choice::Octree, Choice::KdTree];
     /// Their names, in the order of [`Choice::ALL`].
-    pub const NAMES: [&str; 5] = ["brute-force", "grid", "octree", "kd-tree", "median-kd-tree"];
+    pub const NAMES: [&str; 6] = ["brute-force", "four-at-once", "grid", "octree", "kd-tree", "median-kd-tree"];
+
+    /// Whether it looks at everything: no structure at all.
+    #[must_use]
+    pub fn looks_at_everything(self) -> bool {
+        matches!(self, Self::BruteForce | Self::FourAtOnce)
+    }
 
     /// Its name, as in tables and on the command line.
     #[must_use]
@@ -55,6 +64,7 @@ impl Choice {
         let triangles = Triangles(mesh);
         Ok(match self {
             Self::BruteForce => Arc::new(every_one(triangles)?),
+            Self::FourAtOnce => Arc::new(four_at_once(triangles)?),
             Self::Grid => Arc::new(grid(triangles)?),
             Self::Octree => Arc::new(octree(triangles)?),
             Self::KdTree => Arc::new(kd_tree(triangles)?),

@@ -66,7 +66,7 @@ impl Comparison {
     pub fn new(viewed: &ViewedMesh, rays: u32, seed: u64, progress: &(dyn Fn(&str) + Sync)) -> Result<Self, Error> {
         let triangles = viewed.mesh.len();
         let with_brute_force = 3 * rays as usize * triangles <= MOST_TESTS;
-        let choices = Choice::ALL.into_iter().filter(|choice| *choice != Choice::BruteForce || with_brute_force);
+        let choices = Choice::ALL.into_iter().filter(|choice| !choice.looks_at_everything() || with_brute_force);
         let mut built = Vec::new();
         for choice in choices {
             progress(&format!("Building: {} over {triangles} triangles", choice.name()));

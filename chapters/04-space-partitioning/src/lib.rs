@@ -7,6 +7,7 @@ pub mod choice;
 pub mod clip;
 pub mod comparison;
 pub mod every_one;
+pub mod four_at_once;
 pub mod grid;
 pub mod growth;
 pub mod kd_tree;

@@ -5,7 +5,11 @@ use std::marker::PhantomData;
 use common::Interval;
 use ray_casting::ray::Ray;
 
-use crate::{primitives::Primitives, probe::Probe};
+use crate::{
+    primitives::Primitives,
+    probe::Probe,
+    triangles::{Numbered, Triangles},
+};
 
 // ANCHOR: question
 /// What a ray asks.
@@ -65,6 +69,12 @@ impl<'q, P: Primitives, Q: Question, N: Probe> Query<'q, P, Q, N> {
         self.range
     }
 
+    /// The ray as the primitives see it.
+    #[inline]
+    pub(crate) fn view(&self) -> &P::View {
+        &self.view
+    }
+
     /// Note that the ray visits a cell.
     #[inline]
     pub fn visit(&mut self, cell: u32) {
@@ -77,18 +87,25 @@ impl<'q, P: Primitives, Q: Question, N: Probe> Query<'q, P, Q, N> {
         for entry in list {
             let number = self.primitives.number(entry);
             self.probe.test(number);
-            let Some(t) = self.primitives.intersect(entry, &self.view, self.range) else { continue };
-            self.probe.hit(number);
-            // Of several hits at the same t the lowest number wins: so the order of the tests does not matter.
-            if self.found.is_none_or(|nearest| t < nearest.t || number < nearest.number) {
-                self.found = Some(Found { number, t });
-                self.range = self.range.up_to(t.next_up());
-            }
-            if Q::ANY_HIT {
+            if let Some(t) = self.primitives.intersect(entry, &self.view, self.range)
+                && self.note(number, t)
+            {
                 return true;
             }
         }
         false
+    }
+
+    /// Note a hit inside the range. Returns whether the search is over.
+    #[inline(always)]
+    fn note(&mut self, number: u32, t: f32) -> bool {
+        self.probe.hit(number);
+        // Of several hits at the same t the lowest number wins: so the order of the tests does not matter.
+        if self.found.is_none_or(|nearest| t < nearest.t || number < nearest.number) {
+            self.found = Some(Found { number, t });
+            self.range = self.range.up_to(t.next_up());
+        }
+        Q::ANY_HIT
     }
 
     /// What was found.
@@ -98,3 +115,14 @@ impl<'q, P: Primitives, Q: Question, N: Probe> Query<'q, P, Q, N> {
     }
 }
 // ANCHOR_END: query
+
+impl<Q: Question, N: Probe> Query<'_, Triangles, Q, N> {
+    /// Test a triangle that is hit most likely. Returns whether the search is over.
+    #[inline(always)]
+    pub(crate) fn test_likely(&mut self, numbered: &Numbered) -> bool {
+        let number = self.primitives.number(numbered);
+        self.probe.test(number);
+        let hit = numbered.triangle().hit_by_exact_weights(&self.view, self.range);
+        hit.is_some_and(|hit| self.note(number, hit.t))
+    }
+}

@@ -22,6 +22,13 @@ pub struct Numbered {
     number: u32,
 }
 
+impl Numbered {
+    #[inline(always)]
+    pub(crate) fn triangle(&self) -> &Triangle {
+        &self.triangle
+    }
+}
+
 impl Primitives for Triangles {
     type View = Shear;
     type Entry = Numbered;
@@ -67,11 +74,9 @@ impl Primitives for Triangles {
     }
 
     fn hit(&self, number: u32, ray: &Ray, t: f32) -> Option<Hit> {
-        let triangle = self.0.triangle(number as usize);
-        let hit = triangle.hit_by_barycentric(&Shear::along(ray), Interval::new(t.next_down(), t.next_up()))?;
         // A ray that leaves from here may be tested against any of the triangles: its offset follows all coordinates.
         let Aabb { min, max } = self.0.bounds();
-        Some(self.0.hit(ray, number as usize, &triangle, &hit).among(min).among(max))
+        Some(self.0.hit(ray, number as usize, t).among(min).among(max))
     }
 }
 // ANCHOR_END: triangles

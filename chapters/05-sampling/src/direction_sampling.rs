@@ -27,6 +27,7 @@ impl DirectionSampling {
 
     /// A direction at a surface with the unit normal `normal`, from a point `u` of the unit square.
     #[must_use]
+    #[inline]
     pub fn sample(self, normal: Vec3, u: Vec2) -> DirectionSample {
         let local = match self {
             Self::UniformSphere => sample_uniform_sphere(u),
@@ -39,6 +40,7 @@ impl DirectionSampling {
 
     /// The density, per steradian, of a direction whose angle to the normal has the cosine `cos_theta`.
     #[must_use]
+    #[inline]
     pub fn pdf(self, cos_theta: f32) -> f32 {
         match self {
             Self::UniformSphere => uniform_sphere_pdf(),

@@ -4,6 +4,7 @@ use common::{Stream, Vec2};
 
 // ANCHOR: unit_square
 /// A point of the square `[0, 1)²`, uniform: two numbers of the stream.
+#[inline]
 pub fn sample_unit_square(random: &mut Stream) -> Vec2 {
     let x = random.uniform();
     Vec2::new(x, random.uniform())

@@ -57,6 +57,7 @@ impl Material {
 
     /// The share of the light from all sides that the matte part sends on: `k_d π`.
     #[must_use]
+    #[inline]
     pub fn albedo(&self) -> Rgb {
         self.diffuse * PI
     }
@@ -65,6 +66,7 @@ impl Material {
     /// `F`: the share of the light from the mirror direction that the polished part sends on, for each color channel,
     /// if the angle between ray and normal has this cosine.
     #[must_use]
+    #[inline]
     pub fn reflectance(&self, cosine: f32, fresnel: Fresnel) -> Rgb {
         // What lets no light through has no inside to come from.
         self.mirror.map_or(Rgb::ZERO, |smooth| smooth.reflectance(cosine, Side::Outside, fresnel))

@@ -27,6 +27,7 @@ impl Chances {
     /// A coated surface can have a sum above 1, when seen at a flat angle. Both are scaled down then: the expected value
     /// stays the same, as the result is divided by whatever the probability was.
     #[must_use]
+    #[inline]
     pub fn of(albedo: Rgb, reflectance: Rgb) -> Self {
         let [diffuse, mirror] = [albedo, reflectance].map(luminance);
         let sum = (diffuse + mirror).max(1.0);
@@ -35,6 +36,7 @@ impl Chances {
 
     /// The same without an end: in the same proportion, and with the sum 1. A black surface ends every path.
     #[must_use]
+    #[inline]
     pub fn without_end(self) -> Self {
         let sum = self.diffuse + self.mirror;
         if sum > 0.0 {
@@ -48,6 +50,7 @@ impl Chances {
     /// Draw a kind of reflection, with its probability; `None` ends the path.
     ///
     /// Where there is no choice no random number is drawn.
+    #[inline]
     pub fn choose(self, random: &mut Stream) -> Option<(Kind, f32)> {
         let u = if self.diffuse >= 1.0 { 0.0 } else { random.uniform() };
         if u < self.diffuse {

@@ -103,6 +103,7 @@ impl World {
 
     // ANCHOR: intersect
     /// The nearest hit in front of a ray, and what was hit.
+    #[inline(always)]
     #[must_use]
     pub fn intersect(&self, ray: &Ray) -> Option<(Hit, Surface<'_>)> {
         let mut range = Interval::POSITIVE;
@@ -129,6 +130,7 @@ impl World {
 
 impl PartedMesh {
     /// What a triangle is made of.
+    #[inline]
     fn part(&self, triangle: u32) -> Option<Surface<'_>> {
         let after = self.parts.partition_point(|part| part.first <= triangle);
         let part = self.parts.get(after.checked_sub(1)?)?;

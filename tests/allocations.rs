@@ -6,7 +6,9 @@
 
 use common::{
     Rgb, Stream, Vec2,
+    film::{Film, Size},
     picture::{FilmPoint, Picture, Settings},
+    renderer::{Plan, fill_tile},
     story::{Story, Told, Untold},
 };
 
@@ -15,6 +17,8 @@ fn allocations(run: impl FnOnce()) -> u64 {
     allocation_counter::measure(run).count_total
 }
 
+/// Of a small film.
+const SIZE: Size = Size::of::<48, 32>();
 /// Points of the film per picture, evenly spread.
 const POINTS: [u16; 2] = [32, 18];
 
@@ -45,6 +49,24 @@ fn no_ray_of_any_picture_takes_memory_from_the_heap() {
         }
     }
     assert!(pictures > 18);
+}
+
+/// A film keeps sums, not samples: many take as much memory as one.
+#[test]
+fn memory_does_not_grow_with_the_samples() {
+    let path_tracing = course::CHAPTERS.iter().find(|chapter| chapter.name == "path-tracing").unwrap();
+    let room = (path_tracing.picture("room").unwrap().make)(&Settings::default()).unwrap();
+    let most_bytes = |samples| {
+        let plan = Plan { samples, seed: 1, threads: 1 };
+        let render = || {
+            let mut film = Film::new(SIZE);
+            film.tiles_mut().iter_mut().for_each(|tile| fill_tile(room.as_ref(), tile, SIZE, &plan, samples));
+        };
+        allocation_counter::measure(render).bytes_max
+    };
+    let one = most_bytes(1);
+    assert!(one >= u64::from(SIZE.width() * SIZE.height()) * 12, "{one}");
+    assert_eq!(most_bytes(64), one);
 }
 
 /// The counter counts: telling the story needs memory, and not telling it needs none.

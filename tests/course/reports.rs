@@ -96,10 +96,19 @@ fn the_comparison_shows_all_structures_and_threads_change_no_count() {
         stdout
     };
     let plain = table(&[]);
-    for part in ["Scene 'interior'; ", "brute-force ", "grid ", "octree ", "kd-tree ", "median-kd-tree ", "same hits"] {
+    for part in [
+        "Scene 'interior'; ",
+        "brute-force ",
+        "four-at-once ",
+        "grid ",
+        "octree ",
+        "kd-tree ",
+        "median-kd-tree ",
+        "same hits",
+    ] {
         assert!(plain.contains(part), "{part} is missing in {plain}");
     }
-    assert_eq!(counts(&plain).len(), 5, "{plain}");
+    assert_eq!(counts(&plain).len(), 6, "{plain}");
     assert_eq!(counts(&table(&["--threads", "3", "--quiet", "--no-window"])), counts(&plain));
     assert_ne!(counts(&table(&["--seed", "9"])), counts(&plain));
     assert_ne!(counts(&table(&["--set", "scene=square"])), counts(&plain));

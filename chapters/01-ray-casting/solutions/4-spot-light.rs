@@ -117,7 +117,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your light is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::spot_light::check(SpotLight::new)
 }

@@ -88,7 +88,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your function is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::triangle::check(moller_trumbore)
 }

@@ -70,7 +70,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your function is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::ambient_occlusion::check(openness)
 }

@@ -63,7 +63,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your function is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::lifted_point::check(lifted)
 }

@@ -104,7 +104,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your answer is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::any_hit::check(Ball::new)
 }

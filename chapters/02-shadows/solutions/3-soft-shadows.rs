@@ -142,7 +142,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your panel is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::soft_shadows::check(light)
 }

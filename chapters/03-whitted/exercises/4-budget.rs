@@ -78,7 +78,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your search is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::budget::check(trace)
 }

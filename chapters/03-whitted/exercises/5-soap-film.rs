@@ -80,7 +80,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your film is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::soap_film::check(ANSWER)
 }

@@ -104,7 +104,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your glass is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::absorption::check(ANSWER)
 }

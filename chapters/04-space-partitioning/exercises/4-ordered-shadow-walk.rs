@@ -81,7 +81,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your walk is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::ordered_shadow_walk::check(is_occluded)
 }

@@ -94,7 +94,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your tree is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::bounding_volume_hierarchy::check(build, nearest)
 }

@@ -117,7 +117,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your answer is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::mailboxing::check(Mailboxed)
 }

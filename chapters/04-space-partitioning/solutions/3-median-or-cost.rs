@@ -137,7 +137,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your answer is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::median_or_cost::check(cost, cheapest)
 }

@@ -175,7 +175,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your tree is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::bounding_volume_hierarchy::check(build, nearest)
 }

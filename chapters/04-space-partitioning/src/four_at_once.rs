@@ -14,7 +14,6 @@ use crate::{
     triangles::{Numbered, Triangles},
 };
 
-// ANCHOR: four_at_once
 /// One cell that lists everything, and looks at four triangles at once.
 #[derive(Clone, Debug)]
 pub struct FourAtOnce {
@@ -30,7 +29,6 @@ struct Four([[f32x4; 3]; 3]);
 
 /// So many triangles are looked at before the first of them is tested: as many as an `u32` has bits.
 const BLOCK: usize = 32;
-// ANCHOR_END: four_at_once
 
 /// A shape of triangles that are all looked at, four at once.
 ///
@@ -44,7 +42,6 @@ pub fn four_at_once(triangles: Triangles) -> Result<Structure<Triangles, FourAtO
     Ok(Structure { primitives: triangles, partition })
 }
 
-// ANCHOR: seen
 /// The view along one ray, the same in each lane.
 struct View {
     axes: [usize; 3],
@@ -66,7 +63,6 @@ impl View {
         [x - self.slope[0] * z, y - self.slope[1] * z, self.slope[2] * z]
     }
 }
-// ANCHOR_END: seen
 
 impl Four {
     /// The first four of some triangles. Where there are fewer, the other lanes hold no number.
@@ -98,7 +94,6 @@ impl Four {
 }
 
 impl Partition<Triangles> for FourAtOnce {
-    // ANCHOR: walk
     fn walk<Q: Question, N: Probe>(&self, _ray: &Ray, query: &mut Query<'_, Triangles, Q, N>) {
         query.visit(0);
         let along = View::of(query.view());
@@ -117,7 +112,6 @@ impl Partition<Triangles> for FourAtOnce {
             }
         }
     }
-    // ANCHOR_END: walk
 
     fn aabb(&self) -> Option<Aabb> {
         self.aabb
@@ -129,5 +123,49 @@ impl Partition<Triangles> for FourAtOnce {
 
     fn bytes(&self) -> usize {
         size_of_val(self.list.as_slice()) + size_of_val(self.blocks.as_slice())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use common::{Stream, Vec3};
+    use ray_casting::triangle::Triangle;
+
+    use super::*;
+
+    /// A point of the cube from −1 to 1, some of them in a plane through the middle.
+    fn point(random: &mut Stream) -> Vec3 {
+        let coordinates = [(); 3].map(|()| random.uniform() * 2.0 - 1.0);
+        if random.uniform() < 0.2 {
+            Vec3::from_array(coordinates) * Vec3::new(1.0, 0.0, 1.0)
+        } else {
+            coordinates.into()
+        }
+    }
+
+    #[test]
+    fn what_is_hit_is_never_left_out() {
+        let random = &mut Stream::new(5, 0, 0);
+        let (mut hits, mut candidates) = (0, 0);
+        for _ in 0..20_000 {
+            // Each triangle in another lane, and a ray toward a point of one of them, or beside.
+            let triangles = [(); 3].map(|()| Triangle::new(point(random), point(random), point(random)));
+            let four = Four::of(&triangles.map(|triangle| Numbered::new(triangle, 0)));
+            let [a, b, c] = triangles[0].corners;
+            let to = if random.uniform() < 0.5 { a.lerp(b, random.uniform()) } else { (a + b + c) / 3.0 };
+            let origin = point(random);
+            let ray = Ray::new(origin, to - origin);
+            let range = Interval::new(0.0, random.uniform() * 4.0);
+            let shear = Shear::along(&ray);
+            let bits = four.may_be_hit(&View::of(&shear), range);
+            for (lane, triangle) in triangles.iter().enumerate() {
+                let is_hit = triangle.hit_by_barycentric(&shear, range).is_some();
+                assert!(!is_hit || bits >> lane & 1 == 1, "lane {lane} of {triangles:?} by {ray:?} in {range:?}");
+                hits += u32::from(is_hit);
+                candidates += bits >> lane & 1;
+            }
+        }
+        // Nearly all that are left are hit.
+        assert!(hits > 5_000 && candidates < hits * 3 / 2, "{hits} of {candidates}");
     }
 }

@@ -23,6 +23,12 @@ pub struct Numbered {
 }
 
 impl Numbered {
+    /// The triangle of that number.
+    pub(crate) fn new(triangle: Triangle, number: u32) -> Self {
+        Self { triangle, number }
+    }
+
+    /// The triangle.
     #[inline(always)]
     pub(crate) fn triangle(&self) -> &Triangle {
         &self.triangle
@@ -56,7 +62,7 @@ impl Primitives for Triangles {
     }
 
     fn entry(&self, number: u32) -> Numbered {
-        Numbered { triangle: self.0.triangle(number as usize), number }
+        Numbered::new(self.0.triangle(number as usize), number)
     }
 
     #[inline]

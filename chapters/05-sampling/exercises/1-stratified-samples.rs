@@ -68,7 +68,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your samples are right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::stratified_samples::check(ANSWER)
 }

@@ -65,7 +65,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your points are right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::halton_points::check(ANSWER)
 }

@@ -90,7 +90,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your table is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::picture_as_density::check(ANSWER)
 }

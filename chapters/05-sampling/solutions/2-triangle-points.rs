@@ -76,7 +76,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your points are right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::triangle_points::check(ANSWER)
 }

@@ -100,7 +100,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your lobe is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::phong_lobe::check(ANSWER)
 }

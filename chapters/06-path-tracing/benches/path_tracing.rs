@@ -3,10 +3,10 @@
 //! Beside the course's own room stands the box of scene B3 of the proof (a box with two boxes in it, lit by a point), which
 //! other programs render too: multiply its rate by the number of threads that they use.
 
-use std::hint::black_box;
+use std::{hint::black_box, sync::Arc};
 
 use common::{
-    Stream, Vec2,
+    Interval, Stream, Vec2, Vec3,
     picture::{FilmPoint, Integrator as _, Settings},
     story::Untold,
 };
@@ -17,6 +17,11 @@ use path_tracing::{
     path_tracer::PathTracer,
     pictures::{room, steps},
 };
+use ray_casting::{
+    mesh::{Mesh, Shading},
+    ray::Ray,
+};
+use space_partitioning::choice::Choice;
 
 /// Paths of one measurement.
 const PATHS: u64 = 4096;
@@ -48,5 +53,21 @@ fn paths(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, paths);
+/// Rays from anywhere in the box to anywhere else, by what finds the triangles.
+fn structures(c: &mut Criterion) {
+    let mut group = c.benchmark_group("rays in the box");
+    let mut random = Stream::new(0, 0, 0);
+    let mut inside = || Vec3::from_array([(); 3].map(|()| random.uniform() * 2.0 - 1.0)) + Vec3::Y;
+    let rays: Vec<_> = (0..PATHS).map(|_| [inside(), inside()]).map(|[from, to]| Ray::new(from, to - from)).collect();
+    group.throughput(Throughput::Elements(PATHS)).sample_size(20);
+    let Ok(mesh) = Mesh::new(&cornell_box::mesh(true).mesh, Shading::Flat).map(Arc::new) else { return };
+    for choice in Choice::ALL {
+        let Ok(structure) = choice.over(Arc::clone(&mesh)) else { return };
+        let find = |ray: &Ray| structure.find(ray, Interval::POSITIVE).map_or(0.0, |found| found.t);
+        group.bench_function(choice.name(), |b| b.iter(|| rays.iter().map(find).sum::<f32>()));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, paths, structures);
 criterion_main!(benches);

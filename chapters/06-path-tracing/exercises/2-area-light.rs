@@ -111,7 +111,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your lamp is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::area_light::check(ANSWER)
 }

@@ -104,7 +104,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your samples are right. If so, what they cost is printed.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::asked_or_found::check(ANSWER)
 }

@@ -109,7 +109,6 @@ fn main() -> ExitCode {
 }
 
 /// Whether your lens is right.
-#[cfg_attr(test, test)]
 fn accepted() -> Verdict {
     checks::depth_of_field::check(ANSWER)
 }

@@ -16,7 +16,7 @@ use common::{
 use path_tracing::{
     CHAPTER,
     experiments::{
-        coat,
+        coat, cornell_box,
         furnace::{self, Cell, Glow},
         honest,
         mistakes::{self, no_clamp},
@@ -34,6 +34,7 @@ use path_tracing::{
 use ray_casting::{hit::Hit, ray::Ray};
 use sampling::{estimate::Estimate, sky_light::Choice, slope::log_log_slope};
 use shadows::{offset::Offset, shadow_ray::is_in_shadow};
+use space_partitioning::choice::Choice as Structure;
 
 use super::{Numbers, figures, signed};
 
@@ -170,7 +171,7 @@ fn steps_compared(numbers: &mut Numbers) {
         "One sample of a pixel of the room that shows something matte: variance, path and shadow rays, and the\n\
          # product of both.",
     );
-    let mut variances = Vec::new();
+    let (mut variances, mut costs) = (Vec::new(), Vec::new());
     for (name, method) in ["walk", "direct", "important", "roulette"].into_iter().zip(steps::methods()) {
         // Rare bright paths make the first and the last uncertain.
         let samples = if matches!(name, "walk" | "roulette") { 128 } else { 32 };
@@ -183,8 +184,10 @@ fn steps_compared(numbers: &mut Numbers) {
         numbers.pin(&format!("rays-{name}"), figures(rays));
         numbers.pin(&format!("cost-{name}"), figures(variance * rays));
         variances.push(variance);
+        costs.push(variance * rays);
     }
     numbers.pin("gain-of-asking", figures(variances[0] / variances[1]));
+    numbers.pin("gain-of-all", figures(costs[0] / costs[3]));
 }
 
 fn red_wall(numbers: &mut Numbers) {
@@ -346,6 +349,10 @@ fn rays(numbers: &mut Numbers, room: &View) {
         numbers.pin(&format!("{name}-path-rays"), path);
         numbers.pin(&format!("{name}-shadow-rays"), shadow);
     }
+    numbers.about("The box of the references: its triangles, and how many of them a ray tests.");
+    numbers.pin("box-triangles", cornell_box::mesh(true).mesh.triangles.len().to_string());
+    numbers.pin("box-kd-tree-tests", figures(cornell_box::tests_per_ray(Structure::KdTree).unwrap()));
+    numbers.pin("box-four-at-once-tests", figures(cornell_box::tests_per_ray(Structure::FourAtOnce).unwrap()));
     numbers.about("The share of the light of the court that has more bounces than its picture.");
     let most = court.tracer.method.bounces.end() + 1;
     let missing = court.light(Method { bounces: most..=Method::MOST_BOUNCES, ..Method::BEST }, 32);

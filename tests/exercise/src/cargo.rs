@@ -3,7 +3,7 @@
 use std::{
     env,
     ffi::OsString,
-    path::Path,
+    path::{Path, PathBuf},
     process::{Command, ExitStatus, Stdio},
     thread,
 };
@@ -120,6 +120,40 @@ pub(crate) fn build(root: &Path, package: &str, examples: &[String], messages: M
     Ok(command.status().map_err(no_cargo)?.success())
 }
 
+/// Build these examples of all packages at once, as `cargo test --workspace` does: what that has built already is not built
+/// once more. Returns their programs, without those that do not compile.
+pub(crate) fn build_together(root: &Path, examples: &[String]) -> Result<Vec<PathBuf>, Failure> {
+    let mut command = command(root);
+    command.args(["build", "--workspace", "--keep-going", "--message-format=json-render-diagnostics"]);
+    for example in examples {
+        command.args(["--example", example]);
+    }
+    let output = command.stderr(Stdio::inherit()).output().map_err(no_cargo)?;
+    let messages = String::from_utf8_lossy(&output.stdout);
+    Ok(messages.lines().filter_map(executable).collect())
+}
+
+/// The program that a message of cargo tells of.
+fn executable(message: &str) -> Option<PathBuf> {
+    let (_, rest) = message.split_once(r#""executable":""#)?;
+    let (path, _) = rest.split_once('"')?;
+    // In JSON, a backslash is written twice.
+    Some(path.replace(r"\\", r"\").into())
+}
+
+/// How far the example of that name is, among these programs.
+pub(crate) fn check_program(root: &Path, programs: &[PathBuf], example: &str) -> Result<State, Failure> {
+    let Some(program) = programs.iter().find(|program| program.file_stem().is_some_and(|stem| stem == example)) else {
+        return Ok(State::DoesNotCompile);
+    };
+    let run = |arguments: &[&str]| {
+        let mut command = Command::new(program);
+        command.current_dir(root).stdin(Stdio::null()).args(arguments);
+        caught(command)
+    };
+    Ok(judge(run)?.state)
+}
+
 /// How far one example of an exercise is: the stub's or the solution's.
 pub(crate) fn check(root: &Path, exercise: &Exercise, example: &str, messages: Messages) -> Result<State, Failure> {
     Ok(try_out(root, exercise, example, messages)?.state)
@@ -130,7 +164,12 @@ pub(crate) fn try_out(root: &Path, exercise: &Exercise, example: &str, messages:
     if !build(root, &exercise.package, &[example.to_owned()], messages)? {
         return Ok(Outcome { state: State::DoesNotCompile, printed: String::new(), lines: 0 });
     }
-    let Run { stdout, stderr, status } = run(root, exercise, example, &["--check"])?;
+    judge(|arguments| run(root, exercise, example, arguments))
+}
+
+/// What the program of an exercise says of itself. `run` runs it with these arguments.
+fn judge(run: impl Fn(&[&str]) -> Result<Run, Failure>) -> Result<Outcome, Failure> {
+    let Run { stdout, stderr, status } = run(&["--check"])?;
     let words = status.to_string();
     let mut outcome = Outcome::told(stdout, stderr, status.code(), &words);
     if let State::NotRight { name, message } = &mut outcome.state
@@ -138,7 +177,7 @@ pub(crate) fn try_out(root: &Path, exercise: &Exercise, example: &str, messages:
         && !words.contains("SIGKILL")
     {
         // A check asks the same in every run. Once more, and this time it says what it asks.
-        let again = run(root, exercise, example, &["--check", "--tell"])?;
+        let again = run(&["--check", "--tell"])?;
         if let Some(tried) = last_trial(&again.stderr.end) {
             *message = format!("{tried}\n\n{message}");
         }
@@ -166,6 +205,11 @@ pub(crate) struct Run {
 pub(crate) fn run(root: &Path, exercise: &Exercise, example: &str, arguments: &[&str]) -> Result<Run, Failure> {
     let mut command = command(root);
     command.args(["run", "--quiet", "--package", &exercise.package, "--example", example, "--"]).args(arguments);
+    caught(command)
+}
+
+/// Run a program, and catch what it says.
+fn caught(mut command: Command) -> Result<Run, Failure> {
     // Of a panic, its place and its words are shown. The calls that led there would hide them.
     command.env("RUST_BACKTRACE", "0");
     let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().map_err(no_cargo)?;
@@ -220,6 +264,17 @@ mod tests {
         assert_eq!(Outcome::told(said(stdout), said(stderr), Some(0), "").lines, 3);
         let silent = "\nverdict: accepted\nverdict ends\n";
         assert_eq!(Outcome::told(said(silent), said("check begins\n"), Some(0), "").lines, 0);
+    }
+
+    #[test]
+    fn programs_are_found_in_cargos_messages() {
+        let artifact =
+            r#"{"reason":"compiler-artifact","target":{"name":"a"},"executable":"C:\\a b\\a.exe","fresh":true}"#;
+        assert_eq!(executable(artifact), Some(r"C:\a b\a.exe".into()));
+        assert_eq!(executable(&artifact.replace(r#""C:\\a b\\a.exe""#, "null")), None);
+        assert_eq!(executable(r#"{"reason":"build-finished","success":true}"#), None);
+        let state = check_program(Path::new("."), &[PathBuf::from("/some/ball")], "cube").unwrap();
+        assert_eq!(state, State::DoesNotCompile);
     }
 
     #[test]

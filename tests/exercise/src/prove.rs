@@ -1,10 +1,14 @@
 //! Proves that the exercises fit together, for authors and for CI. Nothing is changed.
 
-use std::{collections::BTreeSet, path::Path, process::ExitCode};
+use std::{
+    collections::BTreeSet,
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
 
 use crate::{
     Failure,
-    cargo::{Messages, State, build, check},
+    cargo::{State, build_together, check_program},
     discovery::names_in,
     exercise::{Exercise, read},
     hints::staged,
@@ -26,13 +30,13 @@ pub(crate) fn all(root: &Path, exercises: &[Exercise]) -> Result<ExitCode, Failu
             format!("{what}: {}", mistakes.join("; "))
         });
     };
+    let examples: Vec<_> = exercises.iter().flat_map(|e| [e.example(), e.solution_example()]).collect();
+    let programs = build_together(root, &examples)?;
     for chapter in exercises.chunk_by(|a, b| a.folder == b.folder) {
         tell(&chapter[0].folder.display().to_string(), &unexpected_files(root, chapter));
-        let examples: Vec<_> = chapter.iter().flat_map(|e| [e.example(), e.solution_example()]).collect();
-        build(root, &chapter[0].package, &examples, Messages::Shown)?;
         for exercise in chapter {
             let mut mistakes = texts(root, exercise);
-            mistakes.extend(verdicts(root, exercise)?);
+            mistakes.extend(verdicts(root, &programs, exercise)?);
             tell(&exercise.name(), &mistakes);
         }
     }
@@ -72,13 +76,13 @@ fn difference(stub: &str, derived: &str) -> Option<String> {
 }
 
 /// What is wrong with the verdicts of the check.
-fn verdicts(root: &Path, exercise: &Exercise) -> Result<Vec<String>, Failure> {
+fn verdicts(root: &Path, programs: &[PathBuf], exercise: &Exercise) -> Result<Vec<String>, Failure> {
     let mut mistakes = Vec::new();
-    match check(root, exercise, &exercise.example(), Messages::Hidden)? {
+    match check_program(root, programs, &exercise.example())? {
         State::NotStarted(message) if !message.is_empty() => {}
         state => mistakes.push(format!("the stub is told '{}'{}", state.words(), mistake(&state))),
     }
-    match check(root, exercise, &exercise.solution_example(), Messages::Hidden)? {
+    match check_program(root, programs, &exercise.solution_example())? {
         State::Done => {}
         state => mistakes.push(format!("the solution is told '{}'{}", state.words(), mistake(&state))),
     }

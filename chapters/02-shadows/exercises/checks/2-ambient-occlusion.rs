@@ -272,6 +272,12 @@ const BELOW: [Vec3; 3] = [Vec3::new(-0.96, -0.28, 0.0), Vec3::new(0.0, -0.96, 0.
 
 /// Accept a function, or name what is wrong with it.
 pub(crate) fn check(openness: impl Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32) -> Verdict {
+    // Behind references: so all answers share one copy of the steps.
+    steps(&openness)
+}
+
+/// The steps of the check.
+fn steps(openness: &dyn Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32) -> Verdict {
     let trial = Trial(openness);
     let both: Vec<_> = ABOVE.into_iter().chain(BELOW).collect();
     let down = Ray::new(Vec3::Y * 0.1, -Vec3::Y);

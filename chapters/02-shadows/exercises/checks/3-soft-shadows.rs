@@ -120,6 +120,12 @@ const FOUR: [Vec2; 4] = [Vec2::new(0.1, 0.2), Vec2::new(0.9, 0.3), Vec2::new(0.3
 
 /// Accept a panel, or name what is wrong with it.
 pub(crate) fn check(light: impl Fn([Vec3; 3], Rgb, &Scene<()>, &Hit, u16, &[Vec2]) -> (f32, Rgb)) -> Verdict {
+    // Behind references: so all answers share one copy of the steps.
+    steps(&light)
+}
+
+/// The steps of the check.
+fn steps(light: &dyn Fn([Vec3; 3], Rgb, &Scene<()>, &Hit, u16, &[Vec2]) -> (f32, Rgb)) -> Verdict {
     let trial = Trial(light);
     let plain = on_floor(&[], OVERHEAD, 1, &[MIDDLE]);
     let leaning = on_floor_at(Vec3::new(-0.5, 0.0, 0.25), &[], LEANING, 2, &FOUR);

@@ -217,6 +217,12 @@ const SLANTING: Vec3 = Vec3::new(0.6, 0.8, 0.0);
 
 /// Accept a function, or name what is wrong with it.
 pub(crate) fn check(light_through: impl Fn(&Scene<Rgb>, &Hit, &Illumination) -> Rgb) -> Verdict {
+    // Behind references: so all answers share one copy of the steps.
+    steps(&light_through)
+}
+
+/// The steps of the check.
+fn steps(light_through: &dyn Fn(&Scene<Rgb>, &Hit, &Illumination) -> Rgb) -> Verdict {
     let trial = Trial(light_through);
     let floor = |panes: &[Panes]| Question::on_floor(panes, SLANTING, 10.0);
     let (free, red) = (floor(&[]), floor(&[pane(1.0, RED)]));

@@ -121,6 +121,12 @@ impl<F: Fn(Vec3, [Vec3; 3], [Vec3; 3], [f32; 3]) -> Vec3> Trial<F> {
 
 /// Accept a function, or name what is wrong with it.
 pub(crate) fn check(lifted: impl Fn(Vec3, [Vec3; 3], [Vec3; 3], [f32; 3]) -> Vec3) -> Verdict {
+    // Behind references: so all answers share one copy of the steps.
+    steps(&lifted)
+}
+
+/// The steps of the check.
+fn steps(lifted: &dyn Fn(Vec3, [Vec3; 3], [Vec3; 3], [f32; 3]) -> Vec3) -> Verdict {
     let trial = Trial(lifted);
     let corners = [Vec3::ZERO, Vec3::new(2.0, 0.0, 0.0), Vec3::new(0.0, 0.0, -2.0)];
     // Like a part of a ball, of a hollow one, and of a saddle.

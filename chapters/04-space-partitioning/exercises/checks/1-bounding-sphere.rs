@@ -20,6 +20,12 @@ pub(crate) struct Ball {
 
 /// Accept two functions, or name what is wrong with them.
 pub(crate) fn check(around: impl Fn(&[Vec3]) -> Ball, may_hit: impl Fn(&Ball, &Ray, Interval) -> bool) -> Verdict {
+    // Behind references: so all answers share one copy of the steps.
+    steps(&around, &may_hit)
+}
+
+/// The steps of the check.
+fn steps(around: &dyn Fn(&[Vec3]) -> Ball, may_hit: &dyn Fn(&Ball, &Ray, Interval) -> bool) -> Verdict {
     let toward = Ray::new(Vec3::Z * 3.0, -Vec3::Z);
     let unit = Ball { center: Vec3::ZERO, radius: 1.0 };
     let pair = [Vec3::ZERO, Vec3::X * 2.0];

@@ -29,6 +29,12 @@ struct Case<'c> {
 
 /// Accept a walk, or name what is wrong with it.
 pub(crate) fn check(is_occluded: impl Fn(&[Node], Interval, &mut dyn Asking) -> bool) -> Verdict {
+    // Behind references: so all answers share one copy of the steps.
+    steps(&is_occluded)
+}
+
+/// The steps of the check.
+fn steps(is_occluded: &dyn Fn(&[Node], Interval, &mut dyn Asking) -> bool) -> Verdict {
     let mut dice = Dice::new(441);
     let scenes = [(0, 4), (1, 4), (3, 4), (9, 2), (60, 4), (400, 4)];
     let scenes = scenes.map(|(count, few)| {

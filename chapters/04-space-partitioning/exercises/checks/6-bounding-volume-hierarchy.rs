@@ -21,6 +21,15 @@ pub(crate) fn check(
     build: impl Fn(&[Aabb]) -> Vec<Node>,
     nearest: impl Fn(&[Node], Interval, &mut dyn Asking) -> Option<Found>,
 ) -> Verdict {
+    // Behind references: so all answers share one copy of the steps.
+    steps(&build, &nearest)
+}
+
+/// The steps of the check.
+fn steps(
+    build: &dyn Fn(&[Aabb]) -> Vec<Node>,
+    nearest: &dyn Fn(&[Node], Interval, &mut dyn Asking) -> Option<Found>,
+) -> Verdict {
     let triangles = soup(46, 300);
     let mut dice = Dice::new(461);
     let nodes = median_tree(&boxes(&triangles), MOST_IN_LIST);

@@ -2,9 +2,15 @@
 
 use std::sync::Arc;
 
-use common::{Error, Rgb, Vec3};
+use common::{Error, Interval, Rgb, Stream, Vec3};
 use ray_casting::{
-    camera::Camera, light::PointLight, material::Phong, mesh::Shading, pictures::stage::camera_error, scene::Scene,
+    camera::Camera,
+    light::PointLight,
+    material::Phong,
+    mesh::{Mesh, Shading},
+    pictures::stage::camera_error,
+    ray::Ray,
+    scene::Scene,
     sphere::Sphere,
 };
 use space_partitioning::{choice::Choice, scenes::builder::Builder};
@@ -36,6 +42,25 @@ pub fn tracer(with_boxes: bool, method: Method) -> Result<PathTracer, Error> {
     let world = World::new(scene).with_parts(mesh, &builder.parts, Choice::FourAtOnce, |_, phong| phong.into())?;
     let camera = Camera::new(EYE, AIM, Vec3::Y, FIELD_OF_VIEW).map_err(camera_error)?;
     Ok(PathTracer { world: Arc::new(world), camera, method })
+}
+
+/// How many triangles a ray tests on average, if the box with boxes is in this structure: of rays from anywhere in the box to
+/// anywhere else.
+///
+/// # Errors
+/// None, since it has triangles.
+pub fn tests_per_ray(choice: Choice) -> Result<f64, Error> {
+    const RAYS: u32 = 10_000;
+    let structure = choice.over(Arc::new(Mesh::new(&mesh(true).mesh, Shading::Flat)?))?;
+    let mut random = Stream::new(75, 0, 0);
+    let mut inside = || Vec3::from_array([(); 3].map(|()| random.uniform() * 2.0 - 1.0)) + Vec3::Y;
+    let mut tests = 0;
+    for _ in 0..RAYS {
+        let (from, to) = (inside(), inside());
+        tests += structure.count_nearest(&Ray::new(from, to - from), Interval::POSITIVE).1.tests;
+    }
+    #[expect(clippy::cast_precision_loss, reason = "a million")]
+    Ok(tests as f64 / f64::from(RAYS))
 }
 
 /// Its triangles, in parts of one color each.

@@ -276,8 +276,11 @@ pub(crate) fn check(openness: impl Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32) ->
     steps(&openness)
 }
 
+/// An answer.
+type Openness<'f> = &'f dyn Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32;
+
 /// The steps of the check.
-fn steps(openness: &dyn Fn(&Scene<()>, &Hit, &[Vec3], f32) -> f32) -> Verdict {
+fn steps(openness: Openness<'_>) -> Verdict {
     let trial = Trial(openness);
     let both: Vec<_> = ABOVE.into_iter().chain(BELOW).collect();
     let down = Ray::new(Vec3::Y * 0.1, -Vec3::Y);

@@ -124,8 +124,11 @@ pub(crate) fn check(light: impl Fn([Vec3; 3], Rgb, &Scene<()>, &Hit, u16, &[Vec2
     steps(&light)
 }
 
+/// An answer.
+type SoftLight<'f> = &'f dyn Fn([Vec3; 3], Rgb, &Scene<()>, &Hit, u16, &[Vec2]) -> (f32, Rgb);
+
 /// The steps of the check.
-fn steps(light: &dyn Fn([Vec3; 3], Rgb, &Scene<()>, &Hit, u16, &[Vec2]) -> (f32, Rgb)) -> Verdict {
+fn steps(light: SoftLight<'_>) -> Verdict {
     let trial = Trial(light);
     let plain = on_floor(&[], OVERHEAD, 1, &[MIDDLE]);
     let leaning = on_floor_at(Vec3::new(-0.5, 0.0, 0.25), &[], LEANING, 2, &FOUR);

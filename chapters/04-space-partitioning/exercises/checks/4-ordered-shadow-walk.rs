@@ -33,8 +33,11 @@ pub(crate) fn check(is_occluded: impl Fn(&[Node], Interval, &mut dyn Asking) -> 
     steps(&is_occluded)
 }
 
+/// An answer.
+type IsOccluded<'f> = &'f dyn Fn(&[Node], Interval, &mut dyn Asking) -> bool;
+
 /// The steps of the check.
-fn steps(is_occluded: &dyn Fn(&[Node], Interval, &mut dyn Asking) -> bool) -> Verdict {
+fn steps(is_occluded: IsOccluded<'_>) -> Verdict {
     let mut dice = Dice::new(441);
     let scenes = [(0, 4), (1, 4), (3, 4), (9, 2), (60, 4), (400, 4)];
     let scenes = scenes.map(|(count, few)| {

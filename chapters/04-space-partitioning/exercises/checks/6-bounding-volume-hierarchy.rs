@@ -25,11 +25,11 @@ pub(crate) fn check(
     steps(&build, &nearest)
 }
 
+/// The second half of an answer.
+type Nearest<'f> = &'f dyn Fn(&[Node], Interval, &mut dyn Asking) -> Option<Found>;
+
 /// The steps of the check.
-fn steps(
-    build: &dyn Fn(&[Aabb]) -> Vec<Node>,
-    nearest: &dyn Fn(&[Node], Interval, &mut dyn Asking) -> Option<Found>,
-) -> Verdict {
+fn steps(build: &dyn Fn(&[Aabb]) -> Vec<Node>, nearest: Nearest<'_>) -> Verdict {
     let triangles = soup(46, 300);
     let mut dice = Dice::new(461);
     let nodes = median_tree(&boxes(&triangles), MOST_IN_LIST);

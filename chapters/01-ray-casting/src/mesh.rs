@@ -115,6 +115,7 @@ impl Mesh {
             VertexNormals::Flat => flat,
             VertexNormals::Smooth { normals, triangles } => {
                 let [n1, n2, n3] = triangles[index].map(|i| normals[i as usize]);
+                // The same hit once more, for its weights.
                 let range = Interval::new(t.next_down(), t.next_up());
                 let Some(hit) = triangle.hit_by_barycentric(&Shear::along(ray), range) else { return flat };
                 let [alpha, beta, gamma] = hit.weights;

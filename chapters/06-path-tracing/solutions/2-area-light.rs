@@ -33,12 +33,14 @@
 //!   another point: the unit vector toward it, its distance, and the density per steradian. The lamp glows on both sides, so cosθ'
 //!   is never negative. Where there is no density, because `from` lies in the plane of the lamp, `density` is 0, and no number is NaN.
 //! - `lamp_light` is one sample of the lamp's light that a matte surface sends on from a hit. Draw a point with
-//!   `sample_unit_square(random)`. `world.lamp` is the lamp. `world.sees(hit, &sample)` sends a shadow ray. `material.diffuse` is k_d,
-//!   and `hit.shading_normal` the normal. A lamp below the surface gives no light, nor does a sample with the density 0.
+//!   `sample_unit_square(random)`, and look at it from `hit.position`. `world.lamp` is the lamp. `world.sees(hit, &sample)` sends a
+//!   shadow ray. `material.diffuse` is k_d, the albedo divided by π already, and `hit.shading_normal` the normal. A lamp below the
+//!   surface gives no light, nor does a sample with the density 0.
 //! - `radiance` is one sample of what comes back along a ray. Its loop is that of the path tracer, and is there already. It finds
-//!   the lamp by chance alone. Let it ask the lamp at every hit, too, and count nothing twice. `surface.is_lamp` says whether the
-//!   lamp was hit. Other things may glow as well; nobody asks them, so their light always counts. `kind` is `Kind::Diffuse` or
-//!   `Kind::Mirror`: the kind of the step that the path takes now.
+//!   the lamp by chance alone. Let it ask the lamp at every hit, too, and count nothing twice. Ask before the step: `world.step`
+//!   plays roulette, and where it ends the path with `None`, the hit was lit all the same. `surface.is_lamp` says whether the lamp
+//!   was hit. Other things may glow as well; nobody asks them, so their light always counts. `kind` is `Kind::Diffuse` or
+//!   `Kind::Mirror`: the kind of the step that leads on from this hit. The next hit has to know it.
 //!
 //! ## When you are done
 //!

@@ -40,8 +40,8 @@ fn one_room(radiance: Radiance, room: &Room) -> Verdict {
     // Where the lamp is in full view each path brings light, if it is asked.
     if room.is_open && samples().take(1000).filter(|sample| *sample == Rgb::ZERO).count() > 500 {
         let got = "no light at all in most samples".into();
-        let advice =
-            "The lamp is found by chance only. Add what `lamp_light` returns, times the throughput, at every hit.";
+        let advice = "The lamp is found by chance only, or it is asked too late. Add what `lamp_light` returns, times the throughput, at \
+                      every hit, and before `world.step`: where roulette ends the path there, the hit was lit all the same.";
         return Err(Finding { tried: tried(), got, expected: "light in each sample".into(), advice: advice.into() }
             .named("lamp-not-asked"));
     }

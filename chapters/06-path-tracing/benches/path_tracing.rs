@@ -6,7 +6,7 @@
 use std::{hint::black_box, sync::Arc};
 
 use common::{
-    Interval, Stream, Vec2, Vec3,
+    Interval, Stream, Vec2,
     picture::{FilmPoint, Integrator as _, Settings},
     story::Untold,
 };
@@ -55,11 +55,10 @@ fn paths(c: &mut Criterion) {
 
 /// Rays from anywhere in the box to anywhere else, by what finds the triangles.
 fn structures(c: &mut Criterion) {
+    const RAYS: usize = 4096;
     let mut group = c.benchmark_group("rays in the box");
-    let mut random = Stream::new(0, 0, 0);
-    let mut inside = || Vec3::from_array([(); 3].map(|()| random.uniform() * 2.0 - 1.0)) + Vec3::Y;
-    let rays: Vec<_> = (0..PATHS).map(|_| [inside(), inside()]).map(|[from, to]| Ray::new(from, to - from)).collect();
-    group.throughput(Throughput::Elements(PATHS)).sample_size(20);
+    let rays = cornell_box::rays(RAYS);
+    group.throughput(Throughput::Elements(RAYS as u64)).sample_size(20);
     let Ok(mesh) = Mesh::new(&cornell_box::mesh(true).mesh, Shading::Flat).map(Arc::new) else { return };
     for choice in Choice::ALL {
         let Ok(structure) = choice.over(Arc::clone(&mesh)) else { return };

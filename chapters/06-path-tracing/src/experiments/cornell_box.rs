@@ -44,23 +44,24 @@ pub fn tracer(with_boxes: bool, method: Method) -> Result<PathTracer, Error> {
     Ok(PathTracer { world: Arc::new(world), camera, method })
 }
 
-/// How many triangles a ray tests on average, if the box with boxes is in this structure: of rays from anywhere in the box to
-/// anywhere else.
+/// So many rays from anywhere in the box to anywhere else.
+#[must_use]
+pub fn rays(count: usize) -> Vec<Ray> {
+    let mut random = Stream::new(75, 0, 0);
+    let mut inside = || Vec3::from_array([(); 3].map(|()| random.uniform() * 2.0 - 1.0)) + Vec3::Y;
+    (0..count).map(|_| [inside(), inside()]).map(|[from, to]| Ray::new(from, to - from)).collect()
+}
+
+/// How many triangles one of such [`rays`] tests on average, if the box with boxes is in this structure.
 ///
 /// # Errors
 /// None, since it has triangles.
 pub fn tests_per_ray(choice: Choice) -> Result<f64, Error> {
-    const RAYS: u32 = 10_000;
+    const RAYS: usize = 10_000;
     let structure = choice.over(Arc::new(Mesh::new(&mesh(true).mesh, Shading::Flat)?))?;
-    let mut random = Stream::new(75, 0, 0);
-    let mut inside = || Vec3::from_array([(); 3].map(|()| random.uniform() * 2.0 - 1.0)) + Vec3::Y;
-    let mut tests = 0;
-    for _ in 0..RAYS {
-        let (from, to) = (inside(), inside());
-        tests += structure.count_nearest(&Ray::new(from, to - from), Interval::POSITIVE).1.tests;
-    }
-    #[expect(clippy::cast_precision_loss, reason = "a million")]
-    Ok(tests as f64 / f64::from(RAYS))
+    let tests: u64 = rays(RAYS).iter().map(|ray| structure.count_nearest(ray, Interval::POSITIVE).1.tests).sum();
+    #[expect(clippy::cast_precision_loss, reason = "less than a million")]
+    Ok(tests as f64 / RAYS as f64)
 }
 
 /// Its triangles, in parts of one color each.

@@ -99,7 +99,7 @@ fn the_comparison_shows_all_structures_and_threads_change_no_count() {
     for part in [
         "Scene 'interior'; ",
         "brute-force ",
-        "four-at-once ",
+        "eight-at-once ",
         "grid ",
         "octree ",
         "kd-tree ",

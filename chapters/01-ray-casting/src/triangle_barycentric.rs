@@ -148,8 +148,9 @@ fn signs_differ([a, b, c]: [f32; 3]) -> bool {
 /// Twice the signed area of the triangle (0, 0), `p`, `q`.
 ///
 /// Rounding keeps order, so the sign is never wrong; the result may be rounded to zero.
-#[inline]
-fn area(p: Vec3, q: Vec3) -> f32 {
+#[must_use]
+#[inline(always)]
+pub fn area(p: Vec3, q: Vec3) -> f32 {
     p.x * q.y - p.y * q.x
 }
 

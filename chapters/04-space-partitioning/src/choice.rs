@@ -6,8 +6,8 @@ use common::Interval;
 use ray_casting::{hit::Hit, mesh::Mesh, ray::Ray, shape::Shape};
 
 use crate::{
+    eight_at_once::eight_at_once,
     every_one::every_one,
-    four_at_once::four_at_once,
     grid::grid,
     kd_tree::{KdTree, kd_tree, split::Rule},
     octree::octree,
@@ -23,8 +23,8 @@ use crate::{
 pub enum Choice {
     /// None: every triangle is tested.
     BruteForce,
-    /// None: every triangle is looked at, but four at once.
-    FourAtOnce,
+    /// None: every triangle is looked at, but eight at once.
+    EightAtOnce,
     /// The regular grid.
     Grid,
     /// The octree.
@@ -38,16 +38,16 @@ pub enum Choice {
 impl Choice {
     /// All of them.
     pub const ALL: [Choice; 6] =
-        [Choice::BruteForce, Choice::FourAtOnce, Choice::Grid, Choice::Octree, Choice::KdTree, Choice::MedianKdTree];
+        [Choice::BruteForce, Choice::EightAtOnce, Choice::Grid, Choice::Octree, Choice::KdTree, Choice::MedianKdTree];
     /// The three that the chapter teaches.
     pub const STRUCTURES: [Choice; 3] = [Choice::Grid, Choice::Octree, Choice::KdTree];
     /// Their names, in the order of [`Choice::ALL`].
-    pub const NAMES: [&str; 6] = ["brute-force", "four-at-once", "grid", "octree", "kd-tree", "median-kd-tree"];
+    pub const NAMES: [&str; 6] = ["brute-force", "eight-at-once", "grid", "octree", "kd-tree", "median-kd-tree"];
 
     /// Whether it looks at everything: no structure at all.
     #[must_use]
     pub fn looks_at_everything(self) -> bool {
-        matches!(self, Self::BruteForce | Self::FourAtOnce)
+        matches!(self, Self::BruteForce | Self::EightAtOnce)
     }
 
     /// Its name, as in tables and on the command line.
@@ -64,7 +64,7 @@ impl Choice {
         let triangles = Triangles(mesh);
         Ok(match self {
             Self::BruteForce => Arc::new(every_one(triangles)?),
-            Self::FourAtOnce => Arc::new(four_at_once(triangles)?),
+            Self::EightAtOnce => Arc::new(eight_at_once(triangles)?),
             Self::Grid => Arc::new(grid(triangles)?),
             Self::Octree => Arc::new(octree(triangles)?),
             Self::KdTree => Arc::new(kd_tree(triangles)?),

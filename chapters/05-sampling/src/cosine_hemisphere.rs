@@ -14,6 +14,7 @@ use crate::disc::{
 /// Points that are uniform over the disc become directions of density cosθ/π, because a piece of the hemisphere has
 /// cosθ times its own area below it (Malley's method; PBRT 4, section A.5.3).
 #[must_use]
+#[inline]
 pub fn lift(point: Vec2) -> Vec3 {
     let z = (1.0 - point.length_squared()).max(0.0).sqrt();
     point.extend(z)
@@ -32,12 +33,14 @@ pub fn sample_cosine_hemisphere_by_rejection(random: &mut Stream) -> Vec3 {
 ///
 /// Source: PBRT 4, section A.5.3, `SampleCosineHemisphere`.
 #[must_use]
+#[inline]
 pub fn sample_cosine_hemisphere(u: Vec2) -> Vec3 {
     lift(sample_uniform_disc_concentric(u))
 }
 
 /// The density cosθ/π per steradian, and 0 behind the surface. `cos_theta` is the cosine of the angle to the normal.
 #[must_use]
+#[inline]
 pub fn cosine_hemisphere_pdf(cos_theta: f32) -> f32 {
     cos_theta.max(0.0) / PI
 }

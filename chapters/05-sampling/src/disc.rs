@@ -53,6 +53,7 @@ pub fn invert_uniform_disc_polar_sample(point: Vec2) -> Vec2 {
 /// Source: Shirley, Chiu, *A Low Distortion Map Between Disk and Square*, Journal of Graphics Tools 2(3), 1997;
 /// PBRT 4, section A.5.1, `SampleUniformDiskConcentric`.
 #[must_use]
+#[inline]
 pub fn sample_uniform_disc_concentric(u: Vec2) -> Vec2 {
     let Vec2 { x, y } = u * 2.0 - 1.0;
     // The center stays where it is.
@@ -62,7 +63,8 @@ pub fn sample_uniform_disc_concentric(u: Vec2) -> Vec2 {
     // The larger coordinate is the radius, with a sign; the ratio of both is the angle, within an eighth of a turn.
     let (radius, angle) =
         if x.abs() > y.abs() { (x, FRAC_PI_4 * (y / x)) } else { (y, FRAC_PI_2 - FRAC_PI_4 * (x / y)) };
-    Vec2::new(float::cos(angle), float::sin(angle)) * radius
+    let (sin, cos) = float::sin_cos(angle);
+    Vec2::new(cos, sin) * radius
 }
 
 /// The point of the unit square that becomes this point of the disc: undoes [`sample_uniform_disc_concentric`].

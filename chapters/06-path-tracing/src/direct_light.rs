@@ -14,6 +14,7 @@ use crate::{material::Material, probe::Probe, world::World};
 
 // ANCHOR: direct_light
 /// `Σ k_d (L·N)⁺ L_l` over the lights that the point sees.
+#[inline(always)]
 pub fn direct_light(world: &World, material: &Material, hit: &Hit, probe: &mut impl Probe) -> Rgb {
     let mut radiance = Rgb::ZERO;
     if material.diffuse == Rgb::ZERO {

@@ -33,6 +33,7 @@ pub struct Step {
 
 // ANCHOR: step_from
 /// A random step from a hit, seen from the unit vector `to_viewer`; `None` ends the path.
+#[inline(always)]
 pub fn step(
     method: &Method,
     material: &Material,
@@ -77,6 +78,7 @@ pub fn step(
 
 // ANCHOR: diffuse
 /// A direction at a matte surface, and `k_d cosθ / p`.
+#[inline(always)]
 fn diffuse_step(choice: Choice, material: &Material, hit: &Hit, random: &mut Stream) -> (DirectionSample, Rgb) {
     let u = sample_unit_square(random);
     match choice {

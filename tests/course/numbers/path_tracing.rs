@@ -352,7 +352,7 @@ fn rays(numbers: &mut Numbers, room: &View) {
     numbers.about("The box of the references: its triangles, and how many of them a ray tests.");
     numbers.pin("box-triangles", cornell_box::mesh(true).mesh.triangles.len().to_string());
     numbers.pin("box-kd-tree-tests", figures(cornell_box::tests_per_ray(Structure::KdTree).unwrap()));
-    numbers.pin("box-four-at-once-tests", figures(cornell_box::tests_per_ray(Structure::FourAtOnce).unwrap()));
+    numbers.pin("box-eight-at-once-tests", figures(cornell_box::tests_per_ray(Structure::EightAtOnce).unwrap()));
     numbers.about("The share of the light of the court that has more bounces than its picture.");
     let most = court.tracer.method.bounces.end() + 1;
     let missing = court.light(Method { bounces: most..=Method::MOST_BOUNCES, ..Method::BEST }, 32);

@@ -20,7 +20,7 @@ pub(super) const RED: Rgb = Rgb::new(0.86, 0.09, 0.07);
 /// The color of a structure.
 pub(super) fn color(choice: Choice) -> Rgb {
     match choice {
-        Choice::BruteForce | Choice::FourAtOnce => FORCE_GRAY,
+        Choice::BruteForce | Choice::EightAtOnce => FORCE_GRAY,
         Choice::Grid => GRID_BLUE,
         Choice::Octree => OCTREE_GREEN,
         Choice::KdTree | Choice::MedianKdTree => KD_TREE_GOLD,

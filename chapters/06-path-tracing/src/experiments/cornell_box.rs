@@ -39,7 +39,7 @@ pub fn tracer(with_boxes: bool, method: Method) -> Result<PathTracer, Error> {
         scene.add("gold", Sphere::new(Vec3::new(0.0, 0.5, 0.0), 0.5), Material::GOLD);
     }
     let mesh = (&builder.mesh, Shading::Flat);
-    let world = World::new(scene).with_parts(mesh, &builder.parts, Choice::FourAtOnce, |_, phong| phong.into())?;
+    let world = World::new(scene).with_parts(mesh, &builder.parts, Choice::EightAtOnce, |_, phong| phong.into())?;
     let camera = Camera::new(EYE, AIM, Vec3::Y, FIELD_OF_VIEW).map_err(camera_error)?;
     Ok(PathTracer { world: Arc::new(world), camera, method })
 }

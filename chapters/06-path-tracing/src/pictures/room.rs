@@ -161,6 +161,6 @@ fn furnished(scene: Scene<Material>) -> Result<World, Error> {
     }
     let panel = Material::glowing(Rgb::new(1.75, 1.9, 2.15));
     let material = |name, phong: Phong| if name == "panel" { panel } else { phong.into() };
-    World::new(scene).with_parts((&builder.mesh, Shading::Flat), &builder.parts, Choice::FourAtOnce, material)
+    World::new(scene).with_parts((&builder.mesh, Shading::Flat), &builder.parts, Choice::EightAtOnce, material)
 }
 // ANCHOR_END: world

@@ -130,6 +130,14 @@ mod tests {
     }
 
     #[test]
+    fn sine_and_cosine_together_have_the_bits_of_each_alone() {
+        for x in (0..=u32::MAX).step_by(65_537).map(f32::from_bits).filter(|x| x.is_finite()) {
+            let ((together_sin, together_cos), alone) = (sin_cos(x), [sin(x), cos(x)].map(f32::to_bits));
+            assert_eq!([together_sin, together_cos].map(f32::to_bits), alone, "{x}");
+        }
+    }
+
+    #[test]
     #[allow(clippy::disallowed_methods, reason = "the platform's functions are the second opinion here")]
     fn agrees_with_the_platform() {
         for i in -100..=100_i16 {

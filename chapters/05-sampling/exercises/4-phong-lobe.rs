@@ -10,7 +10,7 @@
 //! p = (n + 1) / (2π) · cosⁿα
 //! ```
 //!
-//! The share of directions with a cosine below c is c^(n + 1). Set that to a uniform number and solve it for c. The angle around
+//! The share of drawn directions with a cosine below c is c^(n + 1). Set that to a uniform number and solve it for c. The angle around
 //! R is uniform.
 //!
 //! ## Your task
@@ -23,9 +23,11 @@
 //!   above 0.
 //! - `sample_glossy` draws a direction in the lobe around the mirror direction of `to_viewer`, a unit vector, at the unit vector
 //!   `normal`. It returns the direction with its density per steradian.
-//! - If a viewer looks flat, a part of the lobe reaches below the surface, where no light comes from. Return `None` for such a
+//!   If a viewer looks along the surface, a part of the lobe reaches below it, where no light comes from. Return `None` for such a
 //!   direction, and do not draw another one. The caller counts it as a sample of value 0.
-//! - `reflect(direction, normal)` of chapter 3 wants the direction in which light travels, toward the surface.
+//!
+//! `reflect(direction, normal)` of chapter 3 wants a direction that leads to the surface; `to_viewer` leads away from it. And
+//! `float::pow(base, exponent)` is a power with the same bits on every machine.
 //!
 //! So above the surface the density does not integrate to 1: what is missing is the share of samples that was dropped. That is
 //! honest, and the mean of all samples is right. Whoever draws again must divide the density by the share that is left, for which

@@ -29,13 +29,15 @@
 //!
 //! Fill in the five functions below.
 //!
-//! - `ask_density` is the density per steradian with which asking draws a direction: d² / (A cosθ'), where θ' is the angle at the
-//!   lamp. It is 0 where the lamp is not seen.
+//! - `ask_density` is the density per steradian with which asking draws a direction, a unit vector: d² / (A cosθ'). Here d is the
+//!   distance of the lamp in this direction, A its area, and θ' the angle at the lamp. Return 0 where the lamp is not seen, or only
+//!   its edge (cosθ' = 0): there the sample is 0 anyway.
 //! - `find_density` is that of `cosine_direction`: cosθ / π; 0 below the surface.
 //! - `asked` is one sample that asks the lamp. A lamp below the surface gives no light.
 //! - `found` is one sample that takes a cosine-distributed direction.
-//! - `combined` takes both directions, one from each of its two points, and adds both samples, each with its weight. The weight of a
-//!   sample is made of the two densities of **its own** direction. No result is NaN.
+//! - `combined` takes both directions, one from each of its two points of the unit square, and adds both samples, each with its
+//!   weight. The weight of a sample is made of the two densities of **its own** direction. No result is NaN, even where both
+//!   densities are 0.
 //!
 //! ## When you are done
 //!

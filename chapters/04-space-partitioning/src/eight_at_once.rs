@@ -77,7 +77,7 @@ fn may_be_hit(block: &Block, along: &Shear, range: Interval) -> u32 {
     let [a, b, c] = [in_order(&block.0[0], axes), in_order(&block.0[1], axes), in_order(&block.0[2], axes)];
     let origin = axes.map(|axis| along.origin[axis]);
     let mut bits = 0;
-    for i in 0..BLOCK {
+    for (i, bit) in BITS.into_iter().enumerate() {
         let [a, b, c] =
             [view(a, i, origin, along.slope), view(b, i, origin, along.slope), view(c, i, origin, along.slope)];
         // The ray passes by where two weights differ in sign.
@@ -86,7 +86,7 @@ fn may_be_hit(block: &Block, along: &Shear, range: Interval) -> u32 {
         // A hit lies between the nearest corner and the farthest, along the ray.
         let [nearest, farthest] = extremes(a.z, b.z, c.z);
         let is_beyond = (nearest > range.max) | (farthest < range.min);
-        bits |= if passes_by | is_beyond { 0 } else { BITS[i] };
+        bits |= if passes_by | is_beyond { 0 } else { bit };
     }
     bits
 }

@@ -105,7 +105,7 @@ fn view(points: [&[f32; BLOCK]; 3], i: usize, origin: [f32; 3], slope: Vec3) -> 
     Vec3::new(x - slope.x * z, y - slope.y * z, slope.z * z)
 }
 
-/// The least and the greatest of three numbers.
+/// The least and the greatest of three numbers. `f32::min` and `max` would look for NaN as well.
 #[inline(always)]
 fn extremes(a: f32, b: f32, c: f32) -> [f32; 2] {
     let less = |a: f32, b: f32| if a < b { a } else { b };

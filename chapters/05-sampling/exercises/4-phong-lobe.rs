@@ -10,8 +10,8 @@
 //! p = (n + 1) / (2π) · cosⁿα
 //! ```
 //!
-//! The share of drawn directions with a cosine below c is c^(n + 1). Set that to a uniform number and solve it for c. The angle around
-//! R is uniform.
+//! The share of drawn directions with a cosine below c is c^(n + 1). Set that to a uniform number and solve it for c. The angle
+//! around R is uniform.
 //!
 //! ## Your task
 //!

@@ -36,7 +36,8 @@ pub fn uniform_disc_pdf() -> f32 {
 #[must_use]
 pub fn sample_uniform_disc_polar(u: Vec2) -> Vec2 {
     let angle = TAU * u.y;
-    Vec2::new(float::cos(angle), float::sin(angle)) * u.x.sqrt()
+    let (sin, cos) = float::sin_cos(angle);
+    Vec2::new(cos, sin) * u.x.sqrt()
 }
 
 /// The point of the unit square that becomes this point of the disc: undoes [`sample_uniform_disc_polar`].

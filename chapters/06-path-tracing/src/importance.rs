@@ -31,6 +31,7 @@ pub struct Step {
 }
 // ANCHOR_END: step
 
+// Inlined, like what it calls: else each hit and each step is copied through memory.
 // ANCHOR: step_from
 /// A random step from a hit, seen from the unit vector `to_viewer`; `None` ends the path.
 #[inline(always)]
